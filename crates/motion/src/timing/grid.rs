@@ -21,9 +21,6 @@
 //!    place behind it: what lies beyond does not depend on it. From rest to rest a uniform slow-down ends this for certain,
 //!    because speed, acceleration and jerk fall with `λ`, `λ²` and `λ³`.
 //!
-//! Passes 1 to 5 give a [draft](Grid::draft), pass 6 [settles](Grid::settle) it. A valley ([`crate::timing::valley`]) begins from a
-//! draft as well as from a plan, and every piece of it is checked: what one is to replace is not settled before.
-//!
 //! Everything left of a step at which the speed is the cap does not depend on what follows the section either.
 
 use crate::limits::Room;
@@ -88,6 +85,15 @@ const RUN: usize = 4;
 
 /// Slower summits count as this fast, mm/s.
 const LEAST_SUMMIT: f64 = 1e-6;
+
+/// How a plan is looked for.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+enum Care {
+    /// With the bounds at about the speed that results.
+    Bold,
+    /// With bounds at more than that speed, where this fails.
+    Safe,
+}
 
 /// What decides the speed of a step.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
@@ -154,8 +160,6 @@ struct Step {
     from: State,
     /// Whether its bounds are other than in the last pass that went over it.
     is_new: bool,
-    /// Whether its piece is not checked.
-    is_draft: bool,
 }
 
 /// What is known of a step from the pass before. Apart from it: most passes do without.
@@ -219,7 +223,6 @@ pub(crate) struct Port {
 pub(crate) struct Grid {
     steps: Vec<Step>,
     known: Vec<Known>,
-    from: Port,
     to: Port,
     /// Speeds at the starts of cells.
     ends: Vec<f64>,
@@ -236,7 +239,6 @@ impl Grid {
         Grid {
             steps: Vec::with_capacity(STEPS + 8),
             known: Vec::with_capacity(STEPS + 8),
-            from: Port { s: 0.0, state: State::REST },
             to: Port { s: 0.0, state: State::REST },
             ends: Vec::with_capacity(CELL_RING + 8),
             hull: Vec::with_capacity(STEPS + 8),
@@ -246,54 +248,28 @@ impl Grid {
         }
     }
 
-    /// Plans from `from`, in cell `first`, to `to`, in cell `last`, for the first time; `cap` is the speed allowed in a cell. What
-    /// comes out is a draft until it is [settled](Self::settle). `false` if there is none.
-    pub fn draft(
+    /// Plans from `from`, in cell `first`, to `to`, in cell `last`; `cap` is the speed allowed in a cell. `false` if no
+    /// plan was found that keeps all bounds.
+    pub fn plan(
         &mut self,
         queue: &Queue,
-        [from, to]: [Port; 2],
-        [first, last]: [u64; 2],
+        from: Port,
+        to: Port,
+        first: u64,
+        last: u64,
         cap: impl Fn(&Node) -> f64,
     ) -> bool {
-        self.begin(queue, [from, to], [first, last], &cap);
-        !self.steps.is_empty() && self.pass(self.from) && (!self.come_closer(queue) || self.pass(self.from))
-    }
-
-    /// The pieces of these steps stay as they are, though they may be beyond their bounds: something else comes in their place.
-    pub fn leave_draft(&mut self, steps: Range<usize>) {
-        self.steps[steps].iter_mut().for_each(|step| step.is_draft = true);
-    }
-
-    /// No pieces stay that are beyond their bounds.
-    pub fn leave_no_draft(&mut self) {
-        self.steps.iter_mut().for_each(|step| step.is_draft = false);
-    }
-
-    /// Whether one of these steps is left as it is.
-    pub fn has_draft(&self, steps: Range<usize>) -> bool {
-        self.steps[steps].iter().any(|step| step.is_draft)
-    }
-
-    /// Brings a draft within the bounds, but for what is left as it is; `false` if that fails.
-    pub fn settle(&mut self, queue: &Queue) -> bool {
-        self.check_again_and_again(queue, |round| LESS - EVERY_ROUND * round as f64)
-    }
-
-    /// Plans as [`draft`](Self::draft) does, where what it found was not to be settled: with bounds at more than the speed that
-    /// results. `false` if no plan was found that keeps all bounds.
-    pub fn plan_safely(
-        &mut self,
-        queue: &Queue,
-        [from, to]: [Port; 2],
-        [first, last]: [u64; 2],
-        cap: impl Fn(&Node) -> f64,
-    ) -> bool {
-        self.begin(queue, [from, to], [first, last], &cap);
-        if self.steps.is_empty() {
-            return false;
-        }
-        if self.pass(self.from) && self.check_again_and_again(queue, |_| SAFELY_LESS) {
-            return true;
+        self.to = to;
+        self.reach_cells(queue, from, first, last, &cap);
+        for care in [Care::Bold, Care::Safe] {
+            self.to = to;
+            self.place(queue, from, first, last, &cap);
+            if self.steps.is_empty() {
+                return false;
+            }
+            if self.find(queue, from, care) {
+                return true;
+            }
         }
         if from.state == State::REST && self.to.state == State::REST {
             for _ in 0..200 {
@@ -309,29 +285,10 @@ impl Grid {
         false
     }
 
-    /// Sets steps and their bounds.
-    fn begin(
-        &mut self,
-        queue: &Queue,
-        [from, to]: [Port; 2],
-        [first, last]: [u64; 2],
-        cap: &impl Fn(&Node) -> f64,
-    ) {
-        (self.from, self.to) = (from, to);
-        self.reach_cells(queue, from, first, last, cap);
-        self.place(queue, from, first, last, cap);
-        self.leave(queue);
-    }
-
     /// Hands out the pieces.
     pub fn pieces(&self) -> impl Iterator<Item = Option<Piece>> + '_ {
         let ends = self.steps.iter().skip(1).map(|step| step.from).chain([self.to.state]);
         self.steps.iter().zip(ends).map(|(step, to)| Piece::new(step.s, step.h, step.from, to))
-    }
-
-    /// How many steps there are.
-    pub fn count(&self) -> usize {
-        self.steps.len()
     }
 
     /// The start of the last step in which the speed is the cap: how many pieces are before it, its cell and place.
@@ -531,12 +488,22 @@ impl Grid {
         }
     }
 
-    /// Pass 6, and passes 2 to 5 with `less` in each round where it finds a piece that is beyond its bounds; `false` if no plan
-    /// was found.
-    fn check_again_and_again(&mut self, queue: &Queue, less: impl Fn(usize) -> f64) -> bool {
+    /// Passes 2 to 6, again and again; `false` if no plan was found.
+    fn find(&mut self, queue: &Queue, from: Port, care: Care) -> bool {
+        self.leave(queue);
+        if !self.pass(from) {
+            return false;
+        }
+        if care == Care::Bold && self.come_closer(queue) && !self.pass(from) {
+            return false;
+        }
         for round in 0..ROUNDS {
-            let Some(beyond) = self.check(queue, less(round)) else { return true };
-            if !self.pass_about(beyond, self.from) && !self.pass(self.from) {
+            let less = match care {
+                Care::Bold => LESS - EVERY_ROUND * round as f64,
+                Care::Safe => SAFELY_LESS,
+            };
+            let Some(beyond) = self.check(queue, less) else { return true };
+            if !self.pass_about(beyond, from) && !self.pass(from) {
                 return false;
             }
         }
@@ -778,7 +745,7 @@ impl Grid {
             let to = self.steps.get(i + 1).map_or(self.to.state, |step| step.from);
             // A steady speed that is allowed.
             let is_steady = here.from == to && to.a == 0.0 && to.v > 0.0;
-            if here.is_draft || is_steady && here.nodes(queue).all(|node| to.v <= node.top) {
+            if is_steady && here.nodes(queue).all(|node| to.v <= node.top) {
                 continue;
             }
             if self.known[i].good == Some([here.from, to]) {
@@ -886,33 +853,8 @@ mod tests {
         let mut grid = Grid::new();
         let (from, to) =
             (Port { s: 0.0, state: State::REST }, Port { s: CELLS as f64 * LEN, state: State::REST });
-        assert!(
-            grid.draft(queue, [from, to], [0, CELLS - 1], |node| node.top.min(100.0)) && grid.settle(queue)
-        );
+        assert!(grid.plan(queue, from, to, 0, CELLS - 1, |node| node.top.min(100.0)));
         (grid, from)
-    }
-
-    #[test]
-    fn a_draft_is_settled_but_for_what_is_left() {
-        let queue = queue();
-        let mut grid = Grid::new();
-        let (from, to) =
-            (Port { s: 0.0, state: State::REST }, Port { s: CELLS as f64 * LEN, state: State::REST });
-        assert!(grid.draft(&queue, [from, to], [0, CELLS - 1], |node| node.top.min(100.0)));
-        let beyond = |grid: &Grid| -> Vec<usize> {
-            let keeps = |(piece, step): (Option<Piece>, &Step)| {
-                piece.is_some_and(|piece| step.nodes(&queue).all(|node| piece.keeps(&node.load)))
-            };
-            let pieces = grid.pieces().zip(&grid.steps).map(keeps).enumerate();
-            pieces.filter(|(_, keeps)| !keeps).map(|(k, _)| k).collect()
-        };
-        // Two places need more than a draft; the first is left.
-        let [first, second] = beyond(&grid)[..] else { panic!("{:?}", beyond(&grid)) };
-        grid.leave_draft(first - 5..first + 5);
-        assert!(grid.settle(&queue) && grid.has_draft(0..second) && !grid.has_draft(second..grid.count()));
-        assert_eq!(beyond(&grid), [first]);
-        grid.leave_no_draft();
-        assert!(grid.settle(&queue) && beyond(&grid).is_empty());
     }
 
     #[test]

@@ -38,7 +38,7 @@ use crate::timing::queue::{CELLS, Queue};
 use crate::timing::ramp::{Foot, STOP_ROOM};
 use crate::timing::valley::Valley;
 use corners::Corners;
-use sections::{Bed, SPARE};
+use sections::SPARE;
 use stop::THROUGH_SLOWER;
 
 /// Shares of the allowed speed that braking for a lower override ends at, tried in this order.
@@ -139,8 +139,6 @@ pub(crate) struct Plan {
     inverses: Inverses,
     /// A section as the grid planned it.
     rough: Vec<Piece>,
-    /// What may be valleys of it.
-    beds: Vec<Bed>,
     /// Number of the first stretch of the list.
     base: u64,
     /// The plan before from stretch `kept.from` of the list on, should the new one fail.
@@ -181,7 +179,6 @@ impl Plan {
             valley: Valley::new(),
             inverses,
             rough: Vec::with_capacity(crate::timing::grid::STEPS + 8),
-            beds: Vec::with_capacity(crate::timing::grid::STEPS / 4),
             base: 0,
             before: Vec::with_capacity(STRETCHES),
             kept: Kept { from: 0, fixed: 0, next: start, planned: 0 },

@@ -145,7 +145,7 @@ impl Valley {
 
     /// The same way as `plan`, which begins in cell `first`, in less time. `false` where no less is found; else it is in
     /// [`way`](Self::way), which is no more pieces than `most`. Where no curve takes a share of the bounds it is looked for only if
-    /// the plan `is_slack`. Of one that `is_draft` nothing may be left: it is not known to keep the bounds.
+    /// the plan `is_slack`.
     ///
     /// What is longer than its steps is run window by window. Each begins inside the one before, so that the state at the
     /// end of that one, which was the plan's, does not stay.
@@ -156,15 +156,12 @@ impl Valley {
         first: u64,
         most: usize,
         is_slack: bool,
-        is_draft: bool,
     ) -> bool {
         self.way.clear();
         self.way.extend_from_slice(plan);
         self.tight.clear();
         self.tight.resize(plan.len(), 0.0);
         let (mut from, mut cell, mut found, mut tries) = (0, first, false, 0);
-        // Of a draft nothing may be left.
-        let mut is_replaced = false;
         // Where the window began that is tried.
         let mut origin = f64::NEG_INFINITY;
         while from < self.way.len() && self.way.len() + STEPS < most {
@@ -190,12 +187,10 @@ impl Valley {
                     cell = first;
                     continue;
                 }
-                Outcome::Broken | Outcome::Same if is_draft => return false,
                 Outcome::Broken | Outcome::Same => {}
             }
             tries = 0;
             if is_last {
-                is_replaced = true;
                 break;
             }
             from += new - (new / OVERLAP).min(new - 1);
@@ -204,7 +199,7 @@ impl Valley {
                 from += 1;
             }
         }
-        found && (is_replaced || !is_draft)
+        found
     }
 
     /// Runs these pieces, for which steps are set, in less time, if that is possible.

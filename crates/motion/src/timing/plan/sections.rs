@@ -29,15 +29,6 @@ const CORNER_PACES: [f64; 6] = [1.0, 0.95, 0.88, 0.75, 0.55, 0.3];
 /// Room that one section takes: its steps, what valleys add, and what ends it.
 pub(super) const SPARE: usize = crate::timing::grid::STEPS + DEEPER + 16;
 
-/// What may be a valley: pieces that begin in a cell. `is_slack`: it begins or ends near a rest.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Bed {
-    begin: usize,
-    end: usize,
-    cell: u64,
-    is_slack: bool,
-}
-
 impl Plan {
     /// Plans from `start` to the end of what is known. `false` if a section cannot be planned.
     pub(super) fn sections(&mut self, queue: &Queue, start: Start, corners: Corners) -> bool {
@@ -235,62 +226,44 @@ impl Plan {
                 return true;
             }
         }
-        let (ports, cells) = ([from, to], [first, last]);
-        let is_drafted = self.grid.draft(queue, ports, cells, cap);
-        // What valleys replace need not be settled before.
-        if is_drafted && self.take_rough() {
-            let count = self.final_count(is_open).0;
-            self.find_beds(queue, count, first);
-            for bed in &self.beds {
-                self.grid.leave_draft(bed.begin..bed.end);
-            }
+        if !self.grid.plan(queue, from, to, first, last, cap) {
+            return false;
         }
         let known = self.stretches.len();
-        let mut is_settled = is_drafted && self.grid.settle(queue);
-        loop {
-            if !is_settled && !self.grid.plan_safely(queue, ports, cells, cap) || !self.take_rough() {
-                return false;
-            }
-            let (count, touch) = self.final_count(is_open);
-            self.find_beds(queue, count, first);
-            if let Some(count) = self.deepen(queue, count) {
-                if let Some((_, cell, port)) = touch {
-                    self.fix_to(known + count, Start { port, cell });
-                }
-                break;
-            }
-            // One that was counted on is none.
-            self.stretches.truncate(known);
-            self.grid.leave_no_draft();
-            is_settled = self.grid.settle(queue);
+        for piece in self.grid.pieces() {
+            let Some(piece) = piece else { return false };
+            self.stretches.push(Stretch::Piece(piece));
         }
-        if self.grid.is_cut {
-            self.planned = queue.find(first, self.stretches.last().map_or(from.s, Stretch::end));
+        let is_open = is_open || self.grid.is_cut;
+        let touch = if is_open { self.grid.last_touch() } else { None };
+        let count = match touch {
+            Some((count, ..)) => count,
+            None if is_open => 0,
+            None => self.stretches.len() - known,
+        };
+        let count = self.deepen(queue, known, count, first);
+        if is_open {
+            if let Some((_, cell, port)) = touch {
+                self.fix_to(known + count, Start { port, cell });
+            }
+            if self.grid.is_cut {
+                self.planned = queue.find(first, self.stretches.last().map_or(from.s, Stretch::end));
+            }
         }
         true
     }
 
-    /// Takes over the pieces of the grid; `false` where one is none.
-    fn take_rough(&mut self) -> bool {
+    /// Runs the valleys of the `count` pieces from stretch `known` on in less time ([`crate::timing::valley`]); they are
+    /// in no cell before `first`. How many pieces there are then.
+    fn deepen(&mut self, queue: &Queue, known: usize, count: usize, first: u64) -> usize {
         self.rough.clear();
-        self.rough.extend(self.grid.pieces().map_while(|piece| piece));
-        self.rough.len() == self.grid.count()
-    }
-
-    /// How many of the pieces of the grid are final, of a section that may be `open`, and what lies behind them then.
-    fn final_count(&self, is_open: bool) -> (usize, Option<(usize, u64, Port)>) {
-        if !is_open && !self.grid.is_cut {
-            return (self.rough.len(), None);
-        }
-        let touch = self.grid.last_touch();
-        (touch.map_or(0, |(count, ..)| count), touch)
-    }
-
-    /// Finds what may be valleys of the first `count` pieces, which are in no cell before `first`.
-    fn find_beds(&mut self, queue: &Queue, count: usize, first: u64) {
-        self.beds.clear();
+        self.rough.extend(self.stretches[known..].iter().filter_map(|stretch| match stretch {
+            Stretch::Piece(piece) => Some(*piece),
+            _ => None,
+        }));
         let overrides = self.overrides;
-        let (mut from, mut cell, mut here) = (0, first, first);
+        let (mut from, mut cell, mut is_other) = (0, first, false);
+        let (mut new, mut here) = (count, first);
         for k in 1..=count {
             // From one place of steady speed, or end, to the next.
             let state = self.rough[k - 1].to;
@@ -302,58 +275,46 @@ impl Plan {
             if k < count && !(state.a == 0.0 && is_fast()) {
                 continue;
             }
-            let is_at_rest = [self.rough[from].from == State::REST, state == State::REST];
-            let begin = if is_at_rest[0] { from + AT_REST } else { from };
-            let end = if is_at_rest[1] { k.saturating_sub(AT_REST) } else { k };
-            if begin + 4 < end {
+            let begin = if self.rough[from].from == State::REST { from + AT_REST } else { from };
+            let end = if self.rough[k - 1].to == State::REST { k.saturating_sub(AT_REST) } else { k };
+            let mut found = false;
+            if begin + 4 < end && new < count + DEEPER {
                 let plan = &self.rough[begin..end];
                 cell = queue.find(cell, plan[0].s + 1e-9);
-                if is_valley(queue, plan, cell, |node| overrides.most(node)) {
+                let most = end - begin + count + DEEPER - new;
+                let cap = |node: &Node| overrides.most(node);
+                if is_valley(queue, plan, cell, cap) {
                     // What the passes miss of a ramp is little, but from rest on it takes long.
-                    self.beds.push(Bed { begin, end, cell, is_slack: is_at_rest[0] || is_at_rest[1] });
+                    let is_slack =
+                        self.rough[from].from == State::REST || self.rough[k - 1].to == State::REST;
+                    let inverses = &self.inverses;
+                    found = if queue.moves_others() {
+                        self.valley.run(&Road::<AXES, _> { queue, inverses, cap }, plan, cell, most, is_slack)
+                    } else {
+                        self.valley.run(&Road::<3, _> { queue, inverses, cap }, plan, cell, most, is_slack)
+                    };
                 }
+            }
+            if found {
+                let pieces = self.valley.way();
+                if !is_other {
+                    self.stretches.truncate(known + begin);
+                    is_other = true;
+                } else {
+                    self.stretches.extend(self.rough[from..begin].iter().map(|piece| Stretch::Piece(*piece)));
+                }
+                new = new + pieces.len() - (end - begin);
+                self.stretches.extend(pieces.iter().map(|piece| Stretch::Piece(*piece)));
+                self.stretches.extend(self.rough[end..k].iter().map(|piece| Stretch::Piece(*piece)));
+            } else if is_other {
+                self.stretches.extend(self.rough[from..k].iter().map(|piece| Stretch::Piece(*piece)));
             }
             from = k;
         }
-    }
-
-    /// Adds the pieces, of which those of valleys are run in less time if they can be ([`crate::timing::valley`]). How many there
-    /// are then of the first `count`; `None` where a draft is not replaced.
-    fn deepen(&mut self, queue: &Queue, count: usize) -> Option<usize> {
-        let overrides = self.overrides;
-        let cap = |node: &Node| overrides.most(node);
-        let (mut new, mut added) = (count, 0);
-        let add = |stretches: &mut Vec<Stretch>, pieces: &[Piece]| {
-            stretches.extend(pieces.iter().map(|piece| Stretch::Piece(*piece)));
-        };
-        for &Bed { begin, end, cell, is_slack } in &self.beds {
-            let (plan, is_draft) = (&self.rough[begin..end], self.grid.has_draft(begin..end));
-            let most = end - begin + count + DEEPER - new;
-            let inverses = &self.inverses;
-            let is_found = new < count + DEEPER
-                && if queue.moves_others() {
-                    let road = Road::<AXES, _> { queue, inverses, cap };
-                    self.valley.run(&road, plan, cell, most, is_slack, is_draft)
-                } else {
-                    let road = Road::<3, _> { queue, inverses, cap };
-                    self.valley.run(&road, plan, cell, most, is_slack, is_draft)
-                };
-            if is_found {
-                let pieces = self.valley.way();
-                if self.grid.has_draft(added..begin) {
-                    return None;
-                }
-                add(&mut self.stretches, &self.rough[added..begin]);
-                add(&mut self.stretches, pieces);
-                new = new + pieces.len() - (end - begin);
-                added = end;
-            }
+        if is_other {
+            self.stretches.extend(self.rough[count..].iter().map(|piece| Stretch::Piece(*piece)));
         }
-        if self.grid.has_draft(added..self.rough.len()) {
-            return None;
-        }
-        add(&mut self.stretches, &self.rough[added..]);
-        Some(new)
+        new
     }
 
     /// The shortest motion on a line: up to a summit, steady, and down. `false` if it has another form. If the line is
