@@ -296,7 +296,7 @@ impl Interpreter {
         }
         self.full_feed = false;
         // Filled in place: copies of it, just written, would be waited for in every block.
-        let mut rest = Rest { axes, ..Rest::default() };
+        let mut rest = Rest::default();
         let codes = &mut rest.codes;
         self.modal_codes(codes)?;
         let axes = self.axes_beside_cycle(axes);

@@ -7,7 +7,7 @@ use super::milling::{
 use crate::Fallible;
 use crate::interpreter::Interpreter;
 use crate::stages::units;
-use ferrocut_geometry::{Axis, AxisSet, Plane, Position, SAME_POINT_MM, Turn};
+use ferrocut_geometry::{Axis, Plane, Position, SAME_POINT_MM, Turn};
 use ferrocut_machine::Fault;
 
 /// What a milling cycle cuts.
@@ -87,9 +87,7 @@ impl Interpreter {
             self.location.programmed[Axis::X] = x;
             self.location.programmed[Axis::Y] = y;
         }
-        let axes = self.axes_beside_cycle(self.words.axes(self.rules.axes));
-        let axes: AxisSet = axes.iter().filter(|a| *a != Axis::Z).collect();
-        let to = self.end_point(axes);
+        let to = self.place_of_hole();
         let (Some(r), Some(z)) = (self.cycle.r, self.cycle.z) else { return self.position_at(to) };
         let at = Plane::Xy.of(to);
         let plan = self.mill_plan(shape, turn, at, r, z, x);

@@ -77,7 +77,7 @@ impl Interpreter {
             let rpm = self.rpm_of_thread(pitch, rpm);
             let pitch = if left { -pitch } else { pitch };
             // Faster by its override, but no faster than the spindle may be.
-            let out_rpm = (rpm * rigid_retract).min(limit.max(rpm));
+            let out_rpm = (rpm * rigid_retract).min(limit);
             self.tap_strokes(r, z, steps, |interpreter, z| {
                 let down = z < interpreter.location.programmed[Axis::Z];
                 interpreter.tap_z(z, pitch, if down { rpm } else { out_rpm })

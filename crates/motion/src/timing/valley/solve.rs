@@ -38,7 +38,7 @@ pub(super) enum Solution {
     None,
 }
 
-/// [`Valley::iterate`], with vectors of four or eight numbers where the processor has them; in every bit the same.
+/// [`Valley::iterate`], with vectors of eight or sixteen numbers where the processor has them; in every bit the same.
 struct Solve<'a> {
     valley: &'a mut Valley,
     planned: f64,
