@@ -46,6 +46,8 @@ pub fn enter(contents: &Contents, memory: &mut Memory) -> Vec<String> {
     }
     for (name, value) in &contents.variables {
         let set = match name {
+            // Typed by hand it was written down as all that is; with the power it goes.
+            VariableName::Number(number) if !KEPT_VARIABLES.contains(number) => Ok(()),
             VariableName::Number(number) => memory.variables.set(*number, Some(*value)),
             VariableName::Named(name) => memory.variables.set_named(name, Some(*value)),
         };
