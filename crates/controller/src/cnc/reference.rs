@@ -194,14 +194,14 @@ impl Cnc {
         self.interpreter.own().set_unreferenced(unreferenced);
     }
 
-    /// A program sent axes to their reference points: those that are not known are searched from where they stand, save
-    /// under machine lock, where none is found.
+    /// A program sent axes to their reference points: those that are not known are searched from where they stand. Under
+    /// machine lock none gets there: no lamp comes (GSK990MC 4.3.4, 2), and none is found.
     pub(super) fn home_by_program(&mut self, axes: AxisSet) {
-        let referenced = self.homing.referenced();
-        self.homing.stand(axes);
         if self.is_locked() {
             return;
         }
+        let referenced = self.homing.referenced();
+        self.homing.stand(axes);
         let axes = axes.and(self.machine_axes);
         for axis in axes.iter().filter(|axis| !referenced.contains(*axis)) {
             self.manual.take(self.beside(self.motion.position()));

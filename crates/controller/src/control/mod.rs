@@ -876,7 +876,7 @@ impl Control {
             set(&mut outputs.referenced, referenced.contains(axis.name));
             let points = &self.cnc.interpreter().memory().reference_points;
             let at = |point: &Position| (point[axis.name] - self.tick.position[axis.name]).abs() < 1e-6;
-            let knows = referenced.contains(axis.name) && way == 0.0;
+            let knows = referenced.contains(axis.name) && way == 0.0 && !self.cnc.is_locked();
             set(&mut outputs.at_reference, at_reference.contains(axis.name));
             for (further, point) in outputs.at_further_reference.iter_mut().zip(points.iter().skip(1)) {
                 set(further, knows && at(point));
