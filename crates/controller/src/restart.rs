@@ -311,7 +311,7 @@ impl Journal {
         let mut at = Interpreter::position(interpreter);
         let mut answers = self.answers.iter().peekable();
         interpreter.set_mark_within(until, most);
-        let mut waited = false;
+        let (mut waited, mut stopped) = (false, false);
         let mut by_hand = self.by_hand.iter().peekable();
         while !stop.load(Ordering::Relaxed) {
             while let Some((_, change)) = by_hand.next_if(|(block, _)| *block <= interpreter.blocks_begun()) {
@@ -340,8 +340,8 @@ impl Journal {
                         interpreter.came_to_rest(&answer.at_rest);
                         at = answer.at_rest.commanded;
                     }
-                    // A change of tool asks for auxiliary lock, and which tool is in the spindle.
-                    None if interpreter.asks_for_lock() || interpreter.changes_tool() => {}
+                    // A change of tool asks for auxiliary lock, and which tool is in the spindle; behind a stop nothing is asked.
+                    None if interpreter.asks_for_lock() || interpreter.changes_tool() || stopped => {}
                     None => functions.unknown += 1,
                 },
                 Op::Datum { at: name } => {
@@ -357,6 +357,7 @@ impl Journal {
                 }
             }
             waited = matches!(step.op, Op::Wait { .. });
+            stopped = matches!(step.op, Op::Stop(_));
         }
         if interpreter.is_at_mark() {
             // What was changed behind the place is so all the same.

@@ -43,12 +43,19 @@ impl Interpreter {
         Ok(None)
     }
 
+    /// M00, and M01 where it is chosen: nothing behind it is read before the start, for the operator may change what it is read
+    /// with (GSK990MC 5.2 note 2). In cutter compensation and at a corner the move behind it decides where the one before ends.
+    fn program_stop(&mut self, code: &MCode) -> Fallible<()> {
+        self.emit(Op::Stop(code.code.into()));
+        if self.output.looks_ahead() { Ok(()) } else { self.emit_barrier() }
+    }
+
     pub(crate) fn m_function(&mut self, code: &MCode, span: Span) -> Fallible<()> {
         self.technology.m_code = Some(f64::from(code.code));
         let speed = self.speed();
         match code.function {
-            MFunction::Stop => self.emit(Op::Stop(code.code.into())),
-            MFunction::OptionalStop if self.options.optional_stop => self.emit(Op::Stop(code.code.into())),
+            MFunction::Stop => return self.program_stop(code),
+            MFunction::OptionalStop if self.options.optional_stop => return self.program_stop(code),
             MFunction::OptionalStop => {}
             MFunction::SpindleClockwise => self.spindle(SpindleState::Clockwise(speed)),
             MFunction::SpindleCounterClockwise => self.spindle(SpindleState::CounterClockwise(speed)),

@@ -33,6 +33,22 @@ fn positions_of_the_moment_and_inputs_wait_for_the_machine() {
 }
 
 #[test]
+fn what_is_behind_a_stop_is_read_after_it() {
+    // 5.2 note 2: the operator changes a length and a variable meanwhile.
+    let program = "#500=1\nG0 X10\nM00\nG43 H1 G0 Z20\nG0 X#500\nM30\n";
+    let mut interpreter =
+        common::interpreter(program.as_bytes(), "[tools.1]\nlength = 5", Options::default()).unwrap();
+    while !matches!(interpreter.next().unwrap().unwrap().op, Op::Stop(0)) {}
+    assert_eq!(interpreter.next().unwrap().unwrap().op, Op::Barrier);
+    interpreter.memory_mut().tools.get_mut(1).unwrap().length = 8.0;
+    let ends: Vec<Position> = interpreter.filter_map(|step| step.unwrap().op.target().copied()).collect();
+    assert_eq!(ends[0][Axis::Z], 28.0);
+    // In cutter compensation the move before is still to end.
+    let found = lines("G41 D1 G1 X10 F100\nX20\nM00\nY10\nG40 X40\nM30\n", "[tools.1]\nradius = 5");
+    assert!(!found.contains(&"Barrier".to_owned()), "{found:?}");
+}
+
+#[test]
 fn a_block_that_waited_acts_once() {
     // A word, a condition, an argument, an operation, a block that begins its program.
     let found = lines("O1 G91 G0 X[#5006+1]\nX[#5006+1] M8\nM30\n", "");

@@ -49,6 +49,9 @@ pub fn run_on(dialect: &'static Dialect, program: &str, setup: &str) -> (Vec<Ste
     let mut steps = Vec::new();
     for step in &mut interpreter {
         match step {
+            // Behind a stop nothing is read before the start: no step of its own here.
+            Ok(step)
+                if step.op == Op::Barrier && matches!(steps.last(), Some(Step { op: Op::Stop(_), .. })) => {}
             Ok(step) => steps.push(step),
             Err(alarm) => return (steps, Some(*alarm)),
         }
