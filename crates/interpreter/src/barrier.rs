@@ -13,7 +13,7 @@ use crate::interpreter::Interpreter;
 use ferrocut_geometry::Position;
 use ferrocut_machine::{Alarm, Fault};
 use ferrocut_program::Span;
-use ferrocut_toolpath::Op;
+use ferrocut_toolpath::{Op, Step};
 
 /// The machine as it came to rest at a barrier. Machine positions of the axes, mm and degrees.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -132,7 +132,7 @@ impl Interpreter {
     /// Gives out a barrier. What cutter compensation holds back ends here, square to its last move, as
     /// before a block that it cannot look beyond (GSK990MC 4.7.3, 7).
     pub(crate) fn emit_barrier(&mut self) -> Fallible<()> {
-        let step = self.step(Op::Barrier);
+        let step = Step { section: Step::PASSED, ..self.step(Op::Barrier) };
         // Not by `emit`: a program that only waits does not get on.
         let output = &mut self.output;
         let done = output.move_is_missing().and_then(|()| output.flush()).and_then(|()| output.push(step));

@@ -7,7 +7,7 @@ use crate::interpreter::Interpreter;
 use crate::search::Mark;
 use ferrocut_machine::{Alarm, Fault};
 use ferrocut_program::{Block, Page, Place, ProgramId, ProgramMemory, Span, Statement, Text, Value, Word};
-use ferrocut_toolpath::{Dwell, Op};
+use ferrocut_toolpath::{Dwell, Op, Step};
 use rustc_hash::FxHashMap;
 use std::io;
 use std::sync::Arc;
@@ -417,7 +417,7 @@ struct Before {
 impl Interpreter {
     /// Where the program is run block by block, a block that made no step gets an end of its own (GSK990MC part 2, 7.6:
     /// the control stops behind each block). A macro statement is one as a parameter says (51#5). A block that only
-    /// leads elsewhere (M98, M99, GOTO) has none, as on Fanuc.
+    /// leads elsewhere (M98, M99, GOTO) has none, as on Fanuc. The line to stop at has one whatever it is (3.4.1).
     fn end_single_block(&mut self, page: &Page, block: &Block, before: &Before) -> Fallible<()> {
         let is_described = self.described.is_collecting() || self.described.profiles.is_recording();
         let is_wrong = self.alarms_noted() > before.alarms;
@@ -426,15 +426,27 @@ impl Interpreter {
             return Ok(());
         }
         let leads_on = self.flow.place == before.behind && self.flow.calls.len() == before.calls;
+        let made_step = self.output.waiting() != before.steps;
         let stops = match is_macro_statement(page, block) {
+            _ if self.is_stopped_behind(page, block) => !made_step,
             true => self.rules.single_in_macros,
             // A guard that does not hold leaves its block out.
-            false => {
-                let made_step = self.output.waiting() != before.steps;
-                !made_step && leads_on && page.guard(block).is_none() && has_command(page, block)
-            }
+            false => !made_step && leads_on && page.guard(block).is_none() && has_command(page, block),
         };
         if stops { self.emit_single_stop() } else { Ok(()) }
+    }
+
+    /// Whether the run stops behind a block by its line.
+    fn is_stopped_behind(&self, page: &Page, block: &Block) -> bool {
+        self.options.stop_line.is_some_and(|line| {
+            let span = page.block_span(block);
+            line == (span.file, span.line)
+        })
+    }
+
+    /// Whether single block does not stop behind a block though it makes steps: an output set by a statement.
+    fn is_passed(&self, page: &Page, block: &Block) -> bool {
+        !self.rules.single_in_macros && is_macro_statement(page, block)
     }
 
     /// A dwell of no time, behind which single block stops. Not in cutter compensation, whose corners would be cut
@@ -494,7 +506,10 @@ impl Interpreter {
         }
         let (entered, alarms) = (self.flow.entered, self.alarms_noted());
         self.flow.place.block += 1;
-        self.flow.section = 0;
+        self.flow.section = match page.blocks.get(index) {
+            Some(block) if self.options.single_block && self.is_passed(&page, block) => Step::PASSED,
+            _ => 0,
+        };
         let (calls, steps) = (self.flow.calls.len(), self.output.waiting());
         let before = Before { behind: self.flow.place, calls, steps, alarms };
         let mut result = match page.blocks.get(index) {
@@ -519,7 +534,8 @@ impl Interpreter {
                 Present::Known
             }
             _ => {
-                if let (true, Some(block)) = (self.options.single_block, page.blocks.get(index))
+                if let Some(block) = page.blocks.get(index)
+                    && (self.options.single_block || self.is_stopped_behind(&page, block))
                     && result.is_ok()
                 {
                     result = self.end_single_block(&page, block, &before);

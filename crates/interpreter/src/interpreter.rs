@@ -80,6 +80,8 @@ pub struct Options {
     pub optional_stop: bool,
     /// The program is run block by block: macro statements that are blocks of their own are steps.
     pub single_block: bool,
+    /// The run stops behind this line of a file, counted from 1.
+    pub stop_line: Option<(FileId, u32)>,
     /// The simulated skip signal comes when this axis passes this machine position.
     pub skip: Option<(Axis, f64)>,
     /// Goes on behind an alarm, for checking; else it ends the run.

@@ -82,6 +82,11 @@ impl Interpreter {
         self.options.single_block = single_block;
     }
 
+    /// The line behind which the run stops, for the blocks that are read from now on: it gets a step of its own.
+    pub fn set_stop_line(&mut self, line: Option<(FileId, u32)>) {
+        self.options.stop_line = line;
+    }
+
     /// Whether the text of the main program may end without an end of program, as blocks do that the operator types.
     pub fn set_open_end(&mut self, open: bool) {
         self.options.open_end = open;

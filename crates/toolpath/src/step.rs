@@ -16,7 +16,14 @@ pub struct Step {
     pub block: u64,
     /// Which part of its block it is of. With single block the control stops behind each: on the intermediate point of
     /// G28 (GSK990MC part 2, 7.6), and behind the positioning of a canned cycle and on level R (part 1, 4).
+    /// [`PASSED`](Self::PASSED) where it does not stop behind it.
     pub section: u32,
+}
+
+impl Step {
+    /// The [`section`](Self::section) of what is no block to single block: what it waits for the machine with, and macro
+    /// statements, unless a parameter says that they are (GSK990MC 51#5).
+    pub const PASSED: u32 = u32::MAX;
 }
 
 /// Feed of a cutting move.

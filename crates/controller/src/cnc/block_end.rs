@@ -115,7 +115,8 @@ impl Blocks {
     }
 
     fn stops_behind(&self, block: Block) -> bool {
-        self.single || self.asked || self.stop_line == Some((block.file, block.line))
+        let is_single = self.single && block.section != Step::PASSED;
+        is_single || self.asked || self.stop_line == Some((block.file, block.line))
     }
 
     /// Whether both are one block, or with single block one part of it.
@@ -189,6 +190,7 @@ impl Cnc {
     /// The program stops once behind this line of a file, counted from 1 (GSK990MC part 2, 3.4.1, stop number).
     pub fn stop_behind(&mut self, line: Option<(FileId, u32)>) {
         self.blocks.stop_line = line;
+        self.interpreter.set_stop_line(line);
     }
 
     /// The line behind which it is still to stop.
@@ -331,7 +333,7 @@ impl Cnc {
             && self.blocks.stop_line == Some((run.file, run.line))
             && !goes_on(run)
         {
-            self.blocks.stop_line = None;
+            self.stop_behind(None);
         }
     }
 
@@ -386,7 +388,8 @@ impl Cnc {
         if let Some(line) = line
             && !self.blocks.later.iter().any(|given| (given.block.file, given.block.line) == line)
         {
-            (self.blocks.asked, self.blocks.stop_line) = (true, None);
+            self.blocks.asked = true;
+            self.stop_behind(None);
         }
         self.hold_motion();
         self.give_later();

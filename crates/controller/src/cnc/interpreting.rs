@@ -22,6 +22,7 @@ use crate::restart::Journal;
 use ferrocut_geometry::Position;
 use ferrocut_interpreter::Interpreter;
 use ferrocut_machine::Alarm;
+use ferrocut_program::FileId;
 use ferrocut_toolpath::{Op, Step};
 use rtrb::{Consumer, Producer, RingBuffer};
 use std::ops::Deref;
@@ -173,6 +174,7 @@ pub(super) struct Interpreting {
     /// Switches, and the block that the machine has come to, which it was not told of yet.
     switches: Option<(bool, bool)>,
     single: Option<bool>,
+    stop_line: Option<Option<(FileId, u32)>>,
     /// Auxiliary lock as the switch stands, and as it is in force.
     lock: (Option<bool>, bool),
     passed: Option<u64>,
@@ -198,6 +200,7 @@ impl Interpreting {
             is_over: false,
             switches: None,
             single: None,
+            stop_line: None,
             lock: (None, false),
             passed: None,
         }
@@ -354,6 +357,12 @@ impl Interpreting {
         self.tell();
     }
 
+    /// The line behind which the run stops, for the blocks that are read from now on.
+    pub fn set_stop_line(&mut self, line: Option<(FileId, u32)>) {
+        self.stop_line = Some(line);
+        self.tell();
+    }
+
     /// Auxiliary lock as the switch stands, for the blocks that are read from now on. A tool change that is under way is
     /// finished as it was begun.
     pub fn set_auxiliary_lock(&mut self, locked: bool) {
@@ -382,6 +391,9 @@ impl Interpreting {
         }
         if let Some(single) = self.single.take() {
             self.change().set_single_block(single);
+        }
+        if let Some(line) = self.stop_line.take() {
+            self.change().set_stop_line(line);
         }
         if let Some(locked) = self.lock.0.filter(|_| !self.present.changes_tool()) {
             self.lock.1 = locked;

@@ -167,6 +167,54 @@ fn a_line_to_stop_at_is_not_used_up_by_a_part_of_its_cycle() {
     assert_eq!(cnc.stops_behind(), None);
 }
 
+/// 3.4.1, stop number: also behind a line that moves nothing, a statement, and a call.
+#[test]
+fn a_line_to_stop_at_need_not_move_anything() {
+    let program = "#1=2\nG90 G1 X5 F3000\nF2000\n#1=7\nM98 P7\nG1 X#1\nM30\nO7\nG1 X6\nM99\n";
+    for (line, x) in [(1, 0.0), (3, 5.0), (4, 5.0), (5, 5.0), (9, 6.0), (10, 6.0)] {
+        let mut cnc = cnc(&machine(), program);
+        cnc.stop_behind(Some((FileId(0), line)));
+        cnc.cycle_start();
+        until_it_stops(&mut cnc);
+        assert_eq!((cnc.tick().position[Axis::X], cnc.state()), (x, &State::BlockEnd), "line {line}");
+        assert_eq!(cnc.stops_behind(), None);
+        cnc.cycle_start();
+        until_it_stops(&mut cnc);
+        assert_eq!((cnc.tick().position[Axis::X], cnc.state()), (7.0, &State::Ended), "line {line}");
+    }
+}
+
+/// 51#5: a statement is no block, also where it waits for the machine or sets an output.
+#[test]
+fn single_block_runs_through_statements_that_wait() {
+    let program = "G90 G1 X5 F3000\n#1=#5006+1\n#1100=1\nIF[#5006 GT 9] GOTO 9\nG1 X#1\nN9 M30\n";
+    for (setup, starts) in [("", 3), ("[parameters]\n\"NO51.5\" = 1\n", 6)] {
+        let mut cnc = Cnc::new(&machine(), crate::common::interpreter(program, setup));
+        cnc.set_single_block(true);
+        let mut count = 0;
+        while cnc.state() != &State::Ended {
+            cnc.cycle_start();
+            until_it_stops(&mut cnc);
+            count += 1;
+            assert!(count < 9, "{:?}", cnc.state());
+        }
+        assert_eq!((count, cnc.tick().position[Axis::X]), (starts, 6.0));
+    }
+}
+
+/// GSK990MC 4.3.4, 2.
+#[test]
+fn under_machine_lock_no_axis_comes_to_its_reference_point() {
+    for locked in [false, true] {
+        let mut cnc = Cnc::new(&machine(), crate::common::interpreter("G0 X5\nG28 X5\nM30\n", ""));
+        cnc.set_referenced([Axis::X].into_iter().collect());
+        assert!(cnc.set_machine_lock(locked));
+        cnc.cycle_start();
+        until_it_stops(&mut cnc);
+        assert_eq!(cnc.at_reference().contains(Axis::X), !locked);
+    }
+}
+
 /// GSK990MC part 1, 4: a canned cycle is done in three parts, the positioning, the way to level R and the rest.
 #[test]
 fn single_block_stops_behind_the_parts_of_a_canned_cycle() {
