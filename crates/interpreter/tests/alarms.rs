@@ -51,6 +51,13 @@ const CASES: &[(Fault, u16, &str, &str, &str)] = &[
     (Fault::LengthWithCoordinateSet, 27, "G0 X1\nG43 G92 Z5 H1\nM30", "G43 G92 Z5 H1", ""),
     (Fault::WorkOffsetNumber, 30, "G0 X1\nG54 P51\nM30", "G54", ""),
     (Fault::CycleNoPeck, 45, "S100\nG0 X1\nG83 X2 Z-5 R0\nM30", "G83", ""),
+    (
+        Fault::DwellLimits,
+        168,
+        "S100\nG0 X1\nG82 X2 Z-5 R0 P500\nM30",
+        "P500",
+        "[parameters]\nP281 = 1000\nP282 = 1000",
+    ),
     (Fault::CycleDepthAboveR, 49, "S100\nG0 X1\nG81 X2 Z5 R0\nM30", "Z5", ""),
     (Fault::CallWithoutProgram, 76, "G0 X1\nM98 L2\nM30", "M98", ""),
     (Fault::ProgramMissing, 78, "G0 X1\nM98 P77\nM30", "P77", ""),

@@ -354,6 +354,8 @@ faults! {
     MillScaledUnevenly = 532,
     /// A tapping whose feed is held below what it is programmed with.
     TappingFeedHeld = 533,
+    /// The shortest dwell of a cycle, by parameter, is not below the longest.
+    DwellLimits = 534,
     /// A parameter of a cycle has a value that it cannot have.
     CycleParameter = 540,
     /// A parameter of a cycle is missing.

@@ -909,6 +909,9 @@ fn what_cycles_ask_of_a_tool_is_entered_within_its_range_and_kept() {
             (OffsetValues { cutting_length: Some(-1.0), ..none }, false),
             (OffsetValues { length: Some(-10_000.0), ..none }, false),
             (OffsetValues { radius: Some(99_999_999.0), ..none }, false),
+            // P267.
+            (OffsetValues { radius_wear: Some(400.5), ..none }, false),
+            (OffsetValues { length_wear: Some(-400.5), ..none }, true),
             (OffsetValues { entry_angle: Some(90.5), ..none }, false),
             (OffsetValues { entry_angle: Some(-3.5), ..none }, true),
             (OffsetValues { tip_radius: Some(-1.0), ..none }, true),
@@ -916,7 +919,7 @@ fn what_cycles_ask_of_a_tool_is_entered_within_its_range_and_kept() {
         ] {
             assert_eq!(set(&mut control, wrong, add).unwrap_err().alarm.id, "FC-1409", "{wrong:?}");
         }
-        let far = Command::SetZero { system: "G54".into(), axes: [('X', 1e6)].into(), add: false };
+        let far = Command::SetZero { system: "G54".into(), axes: [('X', -1e4)].into(), add: false };
         assert_eq!(control.command(far, &person()).unwrap_err().alarm.id, "FC-1409");
         control.flush().unwrap();
     }

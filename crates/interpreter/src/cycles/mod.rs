@@ -296,7 +296,7 @@ impl Interpreter {
             let initial = self.location.programmed[Axis::Z];
             self.cycle = CycleState { active: true, initial, z_factor, ..CycleState::default() };
         }
-        self.store_cycle_data();
+        self.store_cycle_data()?;
         self.store_mill_words();
         let level_cuts =
             !(self.rules.cycles.boring_needs_axis && self.cycle_kind().is_some_and(CycleKind::bores));
@@ -411,7 +411,7 @@ impl Interpreter {
     }
 
     /// Words of hole data, kept for the blocks that follow.
-    fn store_cycle_data(&mut self) {
+    fn store_cycle_data(&mut self) -> Fallible<()> {
         let inch = self.modal.is_inch();
         let incremental = self.modal.is_incremental();
         let mm = |v: f64| units::length_mm(v, inch);
@@ -439,8 +439,12 @@ impl Interpreter {
         if let Some(p) = self.words.get(b'P').filter(|_| !self.words.calls()) {
             // P outside P281…P282 is taken as the nearer of them (GSK990MC 4.4.3).
             let (shortest, longest) = self.rules.cycles.dwell;
-            self.cycle.p = Some((p * self.rules.cycles.dwell_p_unit_s).max(shortest).min(longest));
+            if shortest >= longest {
+                return Err(self.alarm_at(Fault::DwellLimits, b'P'));
+            }
+            self.cycle.p = Some((p * self.rules.cycles.dwell_p_unit_s).clamp(shortest, longest));
         }
+        Ok(())
     }
 
     fn cycle_span(&self) -> Span {

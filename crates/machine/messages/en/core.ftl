@@ -571,6 +571,8 @@ FC-0533 = The feed of the tapping is above the highest cutting feed
     .detail = F{ $feed }, at most { $limit }: the spindle turns at { $speed }
     .detail-2 = F{ $feed }, at most { $limit }
     .help = Lower F and S together. A rigid tap keeps its pitch: its spindle is slowed with the feed. In a floating holder only the feed is lowered, and the thread is spoilt.
+FC-0534 = The shortest dwell of a cycle is not below the longest
+    .help = Set the parameter of the shortest dwell below that of the longest.
 
 ## Canned cycles by parameters
 

@@ -571,6 +571,8 @@ FC-0533 = El avance del roscado supera el mayor avance de corte
     .detail = F{ $feed }, { $limit } como máximo: el husillo gira a { $speed }
     .detail-2 = F{ $feed }, { $limit } como máximo
     .help = Reduzca F y S a la vez. El roscado rígido mantiene el paso: el husillo se frena con el avance. En un portamachos flotante solo baja el avance y la rosca se estropea.
+FC-0534 = La espera más corta de un ciclo no es menor que la más larga
+    .help = Ponga el parámetro de la espera más corta por debajo del de la más larga.
 
 ## Canned cycles by parameters
 

@@ -571,6 +571,8 @@ FC-0533 = Kılavuz çekme ilerlemesi en yüksek kesme ilerlemesinin üstünde
     .detail = F{ $feed }, en çok { $limit }: iş mili { $speed } ile döner
     .detail-2 = F{ $feed }, en çok { $limit }
     .help = F ile S'yi birlikte düşürün. Rijit kılavuz çekmede diş adımı korunur: iş mili ilerlemeyle birlikte yavaşlar. Yüzer tutucuda yalnız ilerleme düşer ve diş bozulur.
+FC-0534 = Çevrimin en kısa beklemesi en uzunundan küçük değil
+    .help = En kısa bekleme parametresini en uzununkinin altına ayarlayın.
 
 ## Canned cycles by parameters
 

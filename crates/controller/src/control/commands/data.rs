@@ -36,11 +36,14 @@ impl Control {
     ) -> Answer {
         let row = self.offset_asked(number).filter(|_| number > 0);
         let mut offset = row.ok_or_else(|| named(Fault::NoSuchName, number.to_string()))?;
+        // P267.
+        let most_wear = self.cnc.interpreter().rules().max_wear.min(MOST_ENTERED);
+        let wear = || -most_wear..=most_wear;
         for (slot, value, range) in [
             (&mut offset.length, values.length, ENTERED),
-            (&mut offset.length_wear, values.length_wear, ENTERED),
+            (&mut offset.length_wear, values.length_wear, wear()),
             (&mut offset.radius, values.radius, ENTERED),
-            (&mut offset.radius_wear, values.radius_wear, ENTERED),
+            (&mut offset.radius_wear, values.radius_wear, wear()),
             (&mut offset.cutting_length, values.cutting_length, 0.0..=MOST_ENTERED),
             (&mut offset.entry_angle, values.entry_angle, 0.0..=90.0),
             (&mut offset.tip_radius, values.tip_radius, 0.0..=MOST_ENTERED),
@@ -80,9 +83,11 @@ impl Control {
             return Err(Box::new(alarm(Fault::ControlBusy)));
         }
         let (name, mut zero) = self.zero_of(system)?;
+        // P10 to P44, as G10 L2 has it.
+        let most = self.cnc.interpreter().rules().max_zero.min(*PLACES.end());
         for (letter, value) in axes {
             let axis = self.axis_named(*letter)?;
-            zero[axis] = within(if add { zero[axis] + value } else { *value }, PLACES)?;
+            zero[axis] = within(if add { zero[axis] + value } else { *value }, -most..=most)?;
         }
         self.change_data(author, Change::WorkZero { name, zero })
     }
@@ -205,7 +210,7 @@ impl Control {
 const MOST_ENTERED: f64 = 9_999.999_9;
 const ENTERED: RangeInclusive<f64> = -MOST_ENTERED..=MOST_ENTERED;
 
-/// Where a zero may lie, and a relative coordinate: the range of positions, mm and degrees (GSK990MC part 1, 1.2).
+/// Where a relative coordinate may lie: the range of positions, mm and degrees (GSK990MC part 1, 1.2).
 const PLACES: RangeInclusive<f64> = -99_999.999_9..=99_999.999_9;
 
 /// The highest S under G96, mm/min or inch/min.

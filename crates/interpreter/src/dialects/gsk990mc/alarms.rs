@@ -70,6 +70,7 @@ pub const ALARMS: &[(Fault, u16)] = &[
     (Fault::OffsetNumber, 30),
     (Fault::WorkOffsetNumber, 30),
     (Fault::CycleNoPeck, 45),
+    (Fault::DwellLimits, 168),
     (Fault::CycleDepthAboveR, 49),
     (Fault::MillMirrored, 52),
     (Fault::MillStepTooSmall, 185),
