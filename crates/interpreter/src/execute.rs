@@ -101,7 +101,6 @@ impl Interpreter {
             self.ended = true;
             return Err(self.alarm(Fault::EndMarkReached, page.block_span(block)));
         }
-        let mut sound = true;
         if block.is_defective {
             for defect in page.defects(index) {
                 let alarm = self.alarm(fault_of(defect.kind), page.span(block, defect.at, defect.len));
@@ -110,66 +109,99 @@ impl Interpreter {
             if !self.options.keep_going {
                 return Ok(());
             }
-            sound = false;
         }
-        if let Some(first) = page.words(block).first()
-            && first.letter == b'O'
-        {
-            let number = match first.value() {
-                WordValue::Number(number) => number,
-                // A program with a name has no number.
-                WordValue::Text(_) => 0.0,
-                // A plain number in every language: programs are found by it before any of their blocks is run.
-                WordValue::Expression(_) => {
-                    let alarm = self.alarm(Fault::VariableInNumber, page.word_span(block, first));
-                    return self.give_up_block(alarm);
-                }
-            };
-            // A decimal point has no place in it (GSK990MC 3.1.1).
-            if first.has_point() {
-                return self.give_up_block(self.alarm(Fault::WordNotWhole, page.word_span(block, first)));
-            }
-            self.program_number(number, page.word_span(block, first))?;
-            if block.words == 1 && block.statement.is_none() {
-                return Ok(());
-            }
+        if !self.begins_program(page, block)? {
+            return Ok(());
         }
         self.enter_program();
         self.note_sequence(page, block);
         if self.data_setting.is_some() && page.statement(block).is_some() {
             return self.give_up_block(self.alarm(Fault::CommandInDataSetting, page.block_span(block)));
         }
-        if let Some(condition) = page.guard(block) {
-            match self.evaluate(page, condition) {
-                _ if self.present == Present::Asked => return Ok(()),
-                Ok(value) if value.is_none_or(|v| v == 0.0) => return Ok(()),
-                Ok(_) => {}
-                Err(fault) => {
-                    let alarm = self.alarm(fault, page.block_span(block));
-                    return self.give_up_block(alarm);
-                }
-            }
+        if !self.guard_holds(page, block)? {
+            return Ok(());
         }
         if let Some(statement) = page.statement(block) {
-            return match self.statement(page, *statement) {
-                Err(alarm) if self.options.keep_going => {
-                    self.note(alarm);
-                    Ok(())
-                }
-                done => done,
-            };
+            let done = self.statement(page, *statement);
+            return self.noted(done);
         }
         let macro_call = WordValue::Number(f64::from(self.dialect.macro_call) / 10.0);
         let is_macro_call = |word: &Word| word.letter == b'G' && word.value() == macro_call;
         if page.words(block).iter().any(is_macro_call) {
-            return match self.macro_block(page, block) {
-                Err(alarm) if self.options.keep_going => {
-                    self.note(alarm);
-                    Ok(())
-                }
-                done => done,
-            };
+            let done = self.macro_block(page, block);
+            return self.noted(done);
         }
+        let sound = self.read_words(page, block) && !block.is_defective;
+        if self.present == Present::Asked {
+            return Ok(());
+        }
+        if !sound {
+            return if self.options.keep_going { self.recover() } else { Ok(()) };
+        }
+        if self.waits_for_lock() {
+            self.present = Present::Asked;
+            self.asks_for_lock = true;
+            return Ok(());
+        }
+        self.asks_for_lock = false;
+        match self.block_of_words() {
+            Ok(()) => Ok(()),
+            Err(alarm) => self.give_up_block(alarm),
+        }
+    }
+
+    /// The alarm of a statement, where a check goes on behind it.
+    fn noted(&mut self, done: Fallible<()>) -> Fallible<()> {
+        match done {
+            Err(alarm) if self.options.keep_going => {
+                self.note(alarm);
+                Ok(())
+            }
+            done => done,
+        }
+    }
+
+    /// The O word that a block begins with: the number of the program. Whether there is more to do of the block.
+    fn begins_program(&mut self, page: &Page, block: &Block) -> Fallible<bool> {
+        let Some(first) = page.words(block).first().filter(|word| word.letter == b'O') else {
+            return Ok(true);
+        };
+        let span = page.word_span(block, first);
+        let fault = match first.value() {
+            // A plain number in every language: programs are found by it before any of their blocks is run.
+            WordValue::Expression(_) => Some(Fault::VariableInNumber),
+            // A decimal point has no place in it (GSK990MC 3.1.1).
+            _ if first.has_point() => Some(Fault::WordNotWhole),
+            _ => None,
+        };
+        if let Some(fault) = fault {
+            return self.give_up_block(self.alarm(fault, span)).map(|()| false);
+        }
+        let number = match first.value() {
+            WordValue::Number(number) => number,
+            // A program with a name has no number.
+            WordValue::Text(_) | WordValue::Expression(_) => 0.0,
+        };
+        self.program_number(number, span)?;
+        Ok(block.words > 1 || block.statement.is_some())
+    }
+
+    /// Whether the condition before a block is true; without one it is. A condition that waits for the machine is none yet.
+    fn guard_holds(&mut self, page: &Page, block: &Block) -> Fallible<bool> {
+        let Some(condition) = page.guard(block) else { return Ok(true) };
+        match self.evaluate(page, condition) {
+            _ if self.present == Present::Asked => Ok(false),
+            Ok(value) => Ok(value.is_some_and(|v| v != 0.0)),
+            Err(fault) => {
+                let alarm = self.alarm(fault, page.block_span(block));
+                self.give_up_block(alarm).map(|()| false)
+            }
+        }
+    }
+
+    /// Reads the words of a block with the values that they have now, and notes what is wrong with them; whether nothing is.
+    fn read_words(&mut self, page: &Page, block: &Block) -> bool {
+        let mut sound = true;
         let tool_axis = self.plane_axes()[2];
         for word in page.words(block) {
             let value = match word.value() {
@@ -221,22 +253,7 @@ impl Interpreter {
                 sound = false;
             }
         }
-        if self.present == Present::Asked {
-            return Ok(());
-        }
-        if !sound {
-            return if self.options.keep_going { self.recover() } else { Ok(()) };
-        }
-        if self.waits_for_lock() {
-            self.present = Present::Asked;
-            self.asks_for_lock = true;
-            return Ok(());
-        }
-        self.asks_for_lock = false;
-        match self.block_of_words() {
-            Ok(()) => Ok(()),
-            Err(alarm) => self.give_up_block(alarm),
-        }
+        sound
     }
 
     /// T calls a tool, and on some controls its offsets (Weihong 4.1).

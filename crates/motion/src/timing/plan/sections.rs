@@ -42,33 +42,7 @@ impl Plan {
         self.is_open = false;
         self.chain.clear();
         while cell < tail && self.stretches.len() + SPARE < STRETCHES {
-            // Where the section ends: before a corner, at a rest, at the end of the queue.
-            let mut last = cell;
-            let (mut pace, mut is_final) = (1.0, true);
-            loop {
-                let node = queue.node(last);
-                match node.pass {
-                    Pass::Path if node.rests => break,
-                    Pass::Path => {}
-                    Pass::Axes => break,
-                    // Behind a vertex that was stopped at.
-                    Pass::Corner { .. }
-                        if last == cell && port.s >= node.s + 0.5 * node.len - SAME_LENGTH => {}
-                    // On the way to a vertex that is stopped at: the corner began before.
-                    Pass::Corner { .. } if port.s > node.s + SAME_LENGTH => {
-                        pace = 0.0;
-                        break;
-                    }
-                    Pass::Corner { foot, .. } => {
-                        (pace, is_final) = self.pace(queue, last, foot, &port, corners);
-                        break;
-                    }
-                }
-                if last + 1 == tail {
-                    break;
-                }
-                last += 1;
-            }
+            let (last, mut pace, is_final) = self.section_end(queue, cell, &port, corners);
             let node = queue.node(last);
             let behind = queue_start(queue, last + 1);
             let is_inside = port.s > node.s + SAME_LENGTH;
@@ -175,6 +149,33 @@ impl Plan {
         }
         self.planned = cell;
         true
+    }
+
+    /// Where the section that begins in `cell` ends: before a corner, at a rest, at the end of what is planned. The last cell,
+    /// and of a corner there the pace, and whether that stays whatever follows.
+    fn section_end(&mut self, queue: &Queue, cell: u64, port: &Port, corners: Corners) -> (u64, f64, bool) {
+        let mut last = cell;
+        loop {
+            let node = queue.node(last);
+            match node.pass {
+                Pass::Path if node.rests => break,
+                Pass::Path => {}
+                Pass::Axes => break,
+                // Behind a vertex that was stopped at.
+                Pass::Corner { .. } if last == cell && port.s >= node.s + 0.5 * node.len - SAME_LENGTH => {}
+                // On the way to a vertex that is stopped at: the corner began before.
+                Pass::Corner { .. } if port.s > node.s + SAME_LENGTH => return (last, 0.0, true),
+                Pass::Corner { foot, .. } => {
+                    let (pace, is_final) = self.pace(queue, last, foot, port, corners);
+                    return (last, pace, is_final);
+                }
+            }
+            if last + 1 == self.horizon {
+                break;
+            }
+            last += 1;
+        }
+        (last, 1.0, true)
     }
 
     /// Plans the section before the corner in cell `last`: at which pace, `pace` at most, the corner can be run behind it.
