@@ -477,15 +477,20 @@ impl Lexer<'_> {
         })
     }
 
-    /// Reads `IF (…)` before what it rules over. It stands first in its block, and once.
+    /// Reads `IF (…)` before what it rules over, which is the rest of the line: there may be another first, and both must hold.
     fn guard(&mut self, block: u32, first_word: usize, before: Option<u16>) -> Option<u16> {
         let start = self.at;
-        let mixed = before.is_some() || !self.only_sequence_number(first_word);
+        let mixed = !self.only_sequence_number(first_word);
         self.at += self.letters().len();
+        let before = before.and_then(|_| self.page.guards.pop());
         let flaw = match self.condition() {
             Ok(_) if mixed => Flaw(DefectKind::MixedStatement, start, self.at - start),
             Ok(condition) => {
-                self.page.guards.push(condition);
+                let both = before.map(|before| {
+                    self.page.nodes.push(Node::Binary(Binary::LogicalAnd));
+                    self.range_from(before.start as usize)
+                });
+                self.page.guards.push(both.unwrap_or(condition));
                 return u16::try_from(self.page.guards.len() - 1).ok();
             }
             Err(flaw) => flaw,
@@ -610,7 +615,7 @@ impl Lexer<'_> {
             letter = axis;
             self.at += 1;
         }
-        self.skip_blanks();
+        self.skip_to_code();
         let mut negative = false;
         let mut signs = 0;
         let sign_at = self.at;
@@ -621,7 +626,7 @@ impl Lexer<'_> {
             signs += 1;
             self.at += 1;
             end = self.at;
-            self.skip_blanks();
+            self.skip_to_code();
         }
         if signs > 1 {
             self.flaw(block, Flaw(DefectKind::MisplacedSign, sign_at, end - sign_at));

@@ -51,6 +51,11 @@ fn comments() {
         ("(all)", &[]),
         ("G0 (a) X1 (b)", &["1 «G0 (a) X1» G=0 «G0» X=1 «X1»"]),
         ("G0(;)X1", &["1 «G0(;)X1» G=0 «G0» X=1 «X1»"]),
+        (
+            "G0 X(a)-5 Y (b) (c) 1.",
+            &["1 «G0 X(a)-5 Y (b) (c) 1.» G=0 «G0» X=-5 «X(a)-5» Y=1 point «Y (b) (c) 1.»"],
+        ),
+        ("X(a", &["1 «X(a» AddressWithoutNumber «X» UnclosedComment «(a»"]),
         ("(G0", &["1 «(G0» UnclosedComment «(G0»"]),
         ("G1 (two; G2\nG3", &["1 «G1 (two; G2» G=1 «G1» UnclosedComment «(two; G2»", "2 «G3» G=3 «G3»"]),
         ("(换刀) T1 (刀具；一号)", &["1 «(换刀) T1» T=1 «T1»"]),
