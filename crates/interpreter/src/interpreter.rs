@@ -400,8 +400,9 @@ impl Interpreter {
             origins: None,
             machine: DEMO_MILL.clone(),
         };
-        if dialect.blocks.is_some() {
-            interpreter.ngc_start();
+        match dialect.blocks {
+            Some(_) => interpreter.ngc_start(),
+            None => interpreter.place_variables(),
         }
         interpreter
     }

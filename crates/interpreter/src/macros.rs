@@ -244,6 +244,26 @@ impl Interpreter {
         Ok(())
     }
 
+    /// What a set-up gives variables that stand for something else is put there: `"#5201" = 10` into the zero.
+    pub(crate) fn place_variables(&mut self) {
+        let stands_for = |number: u32| {
+            let variable = (self.dialect.variable)(number);
+            variable.filter(|variable| !matches!(variable, Variable::Plain | Variable::UserTable))
+        };
+        let values: Vec<_> = self.memory.variables.iter().collect();
+        for (number, value) in values {
+            let Some(variable) = stands_for(number) else { continue };
+            // There is room for no value.
+            let _ = self.memory.variables.set(number, None);
+            if let Err(fault) = self.store(Some(variable), number, Some(value)) {
+                let name = self.dialect.syntax.variable_name(number);
+                let mut alarm = self.alarm(fault, Span::default());
+                alarm.arguments.push(("variable", name.into()));
+                self.note(alarm);
+            }
+        }
+    }
+
     /// `#3000 = n` and `G65 H99 Pn`: alarm n of the program (GSK990MC 4.9.4).
     fn program_alarm(&self, n: f64, span: Span) -> Box<Alarm> {
         if !(0.0..=999.0).contains(&n) {

@@ -47,6 +47,14 @@ fn absolute_and_incremental() {
             &["rapid X1", "rapid X2", "rapid X1", "rapid Y-2.5", "rapid Y-5"],
         ),
     ]);
+    // What the set-up gives a variable that stands for something else is put there.
+    holds_with(
+        "[variables]\n\"#5206\" = 10.0\n\"#1501\" = 4.0",
+        "G54 G0 X1\nG43 H1 Z0",
+        &["rapid X11", "rapid Z4"],
+    );
+    let refused = run("G0 X1\nM30", "[variables]\n\"#5001\" = 1.0").1.unwrap();
+    assert_eq!(refused.fault, Fault::VariableNotWritable);
     // 31#4: G91 at power-on.
     holds_with("[start]\nx = 5\n[parameters]\n\"NO31.4\" = 1", "G0 X1", &["rapid X6"]);
 }

@@ -420,6 +420,10 @@ impl Interpreter {
             let mills = matches!(self.cycle_kind(), Some(CycleKind::Mill { .. }));
             let from = if mills { self.location.programmed[Axis::Z] } else { self.cycle.initial };
             self.cycle.r = Some(if incremental { from + mm(r) } else { mm(r) });
+            if !incremental {
+                // A depth given from the R before is a level now.
+                self.cycle.depth = None;
+            }
         }
         if let Some(z) = self.words.get(b'Z') {
             self.cycle.z = Some(mm(z));
