@@ -242,6 +242,8 @@ pub struct Cnc {
     /// Where the axes were in it.
     actual: Position,
     span: Span,
+    /// Line of its block in the main program: within a subprogram that of the call. 0 before the first.
+    main_line: u32,
     report: Report,
     events: VecDeque<Event>,
     /// What was wrong with an axis, once they have come to rest.
@@ -334,6 +336,7 @@ impl Cnc {
             setpoint: start,
             actual: start,
             span: Span::default(),
+            main_line: 0,
             report: Report::new(period),
             events: VecDeque::with_capacity(EVENTS),
             failed: None,
@@ -364,6 +367,11 @@ impl Cnc {
     /// The drives, for what they have beside the axes.
     pub fn drives(&mut self) -> &mut dyn Drives {
         self.drives.as_mut()
+    }
+
+    /// Line of the main program that is run, counted from 1: within a subprogram that of its call. 0 before the first.
+    pub fn main_line(&self) -> u32 {
+        self.main_line
     }
 
     /// What the control is doing.
@@ -755,6 +763,7 @@ impl Cnc {
             let given = *given;
             self.follow_floating(&given);
             self.span = given.span;
+            self.main_line = given.block.main_line;
             self.comes_to(given.number, given.span);
             self.kind = given.kind();
             self.report.period(given.activity);
@@ -954,9 +963,16 @@ impl Cnc {
     fn act(&mut self, waiting: Waiting) {
         self.forget_passed();
         self.tell_messages(self.next_tag);
+        let block = self.blocks.waiting.take();
+        self.main_line = block.map_or(self.main_line, |block| block.main_line);
         let step = match waiting {
             Waiting::Alarm(alarm) => {
                 self.span = alarm.span;
+                // Those before it are done; before the first one nothing was run.
+                let has_begun = self.taking_up.at.1.line > 0 && alarm.span.line > 0;
+                if let Some(block) = block.filter(|_| has_begun) {
+                    self.comes_to(block.number(), alarm.span);
+                }
                 self.state = State::Alarmed(alarm);
                 return;
             }
@@ -965,7 +981,7 @@ impl Cnc {
         };
         self.span = step.span;
         self.comes_to(step.block, step.span);
-        if let Some(block) = self.blocks.waiting.take() {
+        if let Some(block) = block {
             self.runs(block);
         }
         self.note_spindle(&step.op);

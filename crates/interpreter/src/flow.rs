@@ -65,6 +65,8 @@ pub(crate) struct Flow {
     entered: bool,
     /// Span of the block run last.
     last: Span,
+    /// Line of the main program's block run last: within a subprogram that of its call.
+    main_line: u32,
     /// A branch of a condition that was jumped to, since those before do not hold.
     branch: Option<Place>,
     /// The beginning of a loop that counts, come to from its end.
@@ -120,6 +122,7 @@ impl Flow {
             resumed: None,
             entered: false,
             last: Span::default(),
+            main_line: 0,
             branch: None,
             again: None,
             idle: 0,
@@ -163,6 +166,12 @@ impl Flow {
     #[inline]
     pub(crate) fn begun(&self) -> u64 {
         self.begun
+    }
+
+    /// Line of the main program's block run last, counted from 1; 0 before the first.
+    #[inline]
+    pub(crate) fn main_line(&self) -> u32 {
+        self.main_line
     }
 
     /// Which part of the present block steps are of ([`Step::section`](ferrocut_toolpath::Step::section)).
@@ -520,6 +529,9 @@ impl Interpreter {
             }
             Some(block) => {
                 self.flow.last = page.block_span(block);
+                if self.flow.calls.is_empty() {
+                    self.flow.main_line = self.flow.last.line;
+                }
                 self.execute(&page, block, index)
             }
             None => Ok(()),

@@ -675,6 +675,8 @@ impl Interpreter {
                 if !self.options.keep_going {
                     self.ended = true;
                     self.alarms.clear();
+                    // What was read up to here is done once the machine comes to it.
+                    self.note_in_force();
                 }
                 return Some(Err(alarm));
             }

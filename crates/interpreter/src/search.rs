@@ -124,6 +124,11 @@ impl Interpreter {
         self.flow.begun()
     }
 
+    /// Line of the main program's block run last, counted from 1: within a subprogram that of its call. 0 before the first.
+    pub fn main_line(&self) -> u32 {
+        self.flow.main_line()
+    }
+
     /// Whether the program that stands for the tool change is being run.
     pub fn changes_tool(&self) -> bool {
         self.flow.runs_custom(Custom::ToolChange)

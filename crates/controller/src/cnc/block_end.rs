@@ -22,16 +22,23 @@ pub(super) struct Block {
     number: u64,
     /// Its part, which single block takes for a block ([`Step::section`]).
     section: u32,
+    /// Its line in the main program: within a subprogram that of the call.
+    pub main_line: u32,
 }
 
 impl Block {
     fn at(span: Span, number: u64) -> Block {
-        Block { file: span.file, offset: span.offset, line: span.line, number, section: 0 }
+        Block { file: span.file, offset: span.offset, line: span.line, number, section: 0, main_line: 0 }
     }
 
     /// Whether both are of one block, in one pass.
     fn is_part_of(&self, other: Block) -> bool {
         Block { section: other.section, ..*self } == other
+    }
+
+    /// Which of the blocks begun it is.
+    pub fn number(&self) -> u64 {
+        self.number
     }
 
     /// Whether this is its text, in whichever pass.
@@ -205,12 +212,17 @@ impl Cnc {
 
     /// The block of something from the interpreter.
     fn block_of(&self, next: &Result<Step, Box<Alarm>>) -> Block {
+        let frame = self.interpreter.frame();
         match next {
-            Ok(step) => Block { section: step.section, ..Block::at(step.span, step.block) },
-            // An alarm has no number: it is of the block whose text it names.
+            Ok(step) => {
+                let block = Block::at(step.span, step.block);
+                Block { section: step.section, main_line: frame.main_line, ..block }
+            }
+            // It is of the block whose text it names, or of the one that was begun last.
             Err(alarm) => {
                 let same = self.blocks.taken.filter(|taken| taken.is_at(alarm.span));
-                same.unwrap_or(Block::at(alarm.span, u64::MAX))
+                let last = Block::at(alarm.span, frame.begun);
+                same.unwrap_or(Block { main_line: frame.main_line, ..last })
             }
         }
     }
@@ -321,6 +333,13 @@ impl Cnc {
         let next = self.blocks.next.as_ref().map(|next| self.block_of(next));
         let later = self.blocks.later.front().map(|given| given.block);
         later.or(waiting).or(next)
+    }
+
+    /// Stopped at the end of a block: the line of the main program that comes next; none within a block.
+    pub fn main_line_behind(&self) -> Option<u32> {
+        let next = self.block_behind().filter(|_| self.state == State::BlockEnd)?;
+        let is_within = self.blocks.run.is_some_and(|run| next.is_part_of(run));
+        (next.main_line > 0 && !is_within).then_some(next.main_line)
     }
 
     /// The program stops at the end of a block.

@@ -53,11 +53,20 @@ pub(super) struct Frame {
     pub zero: Position,
     /// Whether stored stroke check 2 holds (G12).
     pub stroke_check: bool,
+    /// Blocks begun.
+    pub begun: u64,
+    /// Line of the main program's block: within a subprogram that of its call.
+    pub main_line: u32,
 }
 
 impl Frame {
     fn of(interpreter: &Interpreter) -> Frame {
-        Frame { zero: interpreter.program_zero(), stroke_check: interpreter.stroke_check() }
+        Frame {
+            zero: interpreter.program_zero(),
+            stroke_check: interpreter.stroke_check(),
+            begun: interpreter.blocks_begun(),
+            main_line: interpreter.main_line(),
+        }
     }
 }
 

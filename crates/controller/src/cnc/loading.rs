@@ -93,6 +93,7 @@ impl Cnc {
         self.commanded = self.motion.position();
         self.supervisor.moved_to(self.commanded);
         self.span = Span::default();
+        self.main_line = 0;
         self.state = State::Ready;
     }
 }

@@ -241,6 +241,7 @@ impl Cnc {
         };
         if let Some(given) = given {
             self.span = given.span;
+            self.main_line = given.block.main_line;
             self.kind = given.kind();
             if way != 0.0 {
                 self.report.period(given.activity);

@@ -103,6 +103,8 @@ pub struct Control {
     selected: Option<String>,
     /// The line where AUTO begins, from 1.
     cursor: u32,
+    /// The block that the cursor was put on last.
+    followed: u64,
     mdi: String,
     mdi_block: String,
     /// What the program said last, until nothing runs.
@@ -272,6 +274,7 @@ impl Control {
             loaded: Loaded::Nothing,
             selected: None,
             cursor: 1,
+            followed: 0,
             mdi: String::new(),
             mdi_block: String::new(),
             program_message: String::new(),
@@ -468,6 +471,7 @@ impl Control {
     fn take_emergency(&mut self) {
         let pressed = self.button || self.inputs.emergency_stop;
         if pressed && !self.emergency {
+            self.leave_done_block();
             self.cnc.emergency_stop();
             self.cnc.turn_spindle(SpindleState::Off);
             self.cancel_start();
@@ -675,6 +679,7 @@ impl Control {
     /// Reset (2.3.1): axes and spindle stop, the program is given up, parameters say what else is cleared.
     fn reset(&mut self) {
         self.rewinds = false;
+        self.leave_done_block();
         self.cancel_start();
         if self.cnc.is_idle() {
             self.cnc.clear();
@@ -723,13 +728,7 @@ impl Control {
                 cnc::Event::ToolChange(tool) => self.event(Event::ToolChange { tool }),
             }
         }
-        if self.cnc.state() == &State::Running
-            && matches!(self.loaded, Loaded::Auto(_))
-            && self.tick.span.file.0 == 0
-            && self.tick.span.line > 0
-        {
-            self.cursor = self.tick.span.line;
-        }
+        self.follow_cursor();
         if self.cnc.state() == &self.state {
             return;
         }
@@ -747,6 +746,27 @@ impl Control {
         self.state = state;
         if matches!(self.state, State::Ready | State::Ended | State::Reset) {
             self.program_message.clear();
+        }
+    }
+
+    /// The cursor stands on the block of the main program that is run: within a subprogram on its call. Once it does it may
+    /// be moved by hand.
+    fn follow_cursor(&mut self) {
+        let (line, (block, _)) = (self.cnc.main_line(), self.cnc.block_run());
+        let is_run = self.cnc.is_under_way() || matches!(self.cnc.state(), State::Alarmed(_));
+        let is_new = self.cnc.state() == &State::Running || block != self.followed;
+        if is_run && is_new && matches!(self.loaded, Loaded::Auto(_)) && line > 0 {
+            (self.cursor, self.followed) = (line, block);
+        }
+    }
+
+    /// The program is about to be given up: the cursor leaves a block that is done.
+    fn leave_done_block(&mut self) {
+        if let Some(line) = self.cnc.main_line_behind()
+            && matches!(self.loaded, Loaded::Auto(_))
+            && self.cursor == self.cnc.main_line()
+        {
+            self.cursor = line;
         }
     }
 

@@ -497,8 +497,8 @@ fn single_block_and_the_stop_number_stop_where_they_should() {
     shop.inputs.single_block = false;
     shop.say(Command::Reset);
     shop.wait(2);
-    // The cursor stays where the program was left (10#7 = 0): the run begins there (7.2).
-    assert_eq!(shop.control.status().program.cursor, 3);
+    // The cursor stays where the program was left (10#7 = 0): the run begins there (7.2), behind what is done.
+    assert_eq!(shop.control.status().program.cursor, 4);
     shop.say(Command::Cursor { line: 2 });
     shop.say(Command::StopAt { program: None, sequence: Some(3) });
     shop.start();
@@ -613,6 +613,69 @@ fn a_run_begins_at_the_cursor() {
     shop.say(Command::Mdi { text: "G1 F2000\nX1".into() });
     assert_eq!(shop.refused(Command::Cursor { line: 3 }), "FC-1411");
     shop.say(Command::Cursor { line: 2 });
+}
+
+/// What was done is not done once more: the cursor stands on the block that was under way or at fault, of the main program,
+/// whatever stopped the run (GSK990MC part 2, 2.5.1, 7.2).
+#[test]
+fn the_cursor_stays_on_the_block_that_the_run_was_left_at() {
+    let long = "G1 X30 F600\nM99\n";
+    for (program, called, single, starts, cursor) in [
+        ("O1\nG90 G0 X0 Y0\nG91 G1 X10 F2000\nX600\nM30\n", "M99\n", false, 1, 4),
+        ("O1\nG91 G1 X10 F3000\nM98 P200\nM30\n", "X5\nX900\nM99\n", false, 1, 3),
+        ("O1\nG91 G1 X10 F3000\nM98 P200\nM30\n", long, false, 1, 3),
+        ("O1\nG91 G1 X10 F3000\nG65 P200\nX1\nM30\n", long, false, 1, 3),
+        // A block that is done is left behind, also one that moves nothing.
+        ("O1\nG91 G1 X10 F3000\nX20\nM30\n", "M99\n", true, 1, 3),
+        ("O1\nG91 G1 X10 F3000\nG90\nX20\nM30\n", "M99\n", true, 2, 4),
+        ("O1\nG91 G1 X10 F3000\nM98 P200\nX20\nM30\n", "G1 X1\nG1 X2\nM99\n", true, 2, 3),
+        ("O1\nG91 G1 X10 F3000\nM98 P200\nX20\nM30\n", "G1 X1\nG1 X2\nM99\n", true, 3, 4),
+        ("O1\nG91 G1 X10 F3000\nM00\nX20\nM30\n", "M99\n", false, 1, 3),
+    ] {
+        let mut shop = Shop::new(&[]);
+        shop.store("O0001", program);
+        shop.store("O0200", &format!("O200\n{called}"));
+        shop.select("O1");
+        shop.mode(Mode::Auto);
+        shop.inputs.single_block = single;
+        for _ in 0..starts {
+            shop.start();
+            match called == long {
+                true => drop(shop.wait(1500)),
+                false => drop(shop.until_it_stops()),
+            }
+        }
+        shop.say(Command::Reset);
+        let status = shop.until_it_stops();
+        assert_eq!((status.activity, status.program.cursor), (Activity::Idle, cursor), "{program} {called}");
+    }
+}
+
+/// What was read before an alarm was done, whether it moved anything or not: a reset clears what its bits say and no more.
+#[test]
+fn a_reset_behind_an_alarm_keeps_what_was_in_force_at_it() {
+    for (text, kept) in [
+        ("G91 G1 X1 F50\nG90 G55 S300\nG777", ["G90", "G55", "G21"]),
+        ("G91 G1 X1 F50\nG20\nX900", ["G91", "G54", "G20"]),
+        ("G90 G55 G20\nG777", ["G90", "G55", "G20"]),
+    ] {
+        for beside in [false, true] {
+            let mut shop = Shop::new(&[]);
+            if beside {
+                shop.control.work_beside().unwrap();
+            }
+            shop.mode(Mode::Mdi);
+            shop.say(Command::Mdi { text: text.into() });
+            shop.start();
+            let status = shop.until_it_stops();
+            let in_force =
+                |status: &Status| kept.map(|code| status.program.g_codes.iter().any(|own| own == code));
+            assert_eq!((status.activity, in_force(&status)), (Activity::Alarm, [true; 3]), "{text}");
+            shop.say(Command::Reset);
+            let status = shop.until_it_stops();
+            assert_eq!((status.activity, in_force(&status)), (Activity::Idle, [true; 3]), "{text}");
+        }
+    }
 }
 
 /// GSK990MC 10#6 MSL: the text of the MDI page begins at the line of its cursor, or at its first. A block of the current
