@@ -517,7 +517,13 @@ impl Control {
         self.cnc.set_single_block(single);
         self.cnc.set_auxiliary_lock(auxiliary);
         self.cnc.set_optional_stop(optional);
-        self.cnc.set_machine_lock(lock);
+        let is_new = lock != self.before.machine_lock;
+        if !self.cnc.set_machine_lock(lock) && is_new && self.cnc.is_under_way() {
+            // It comes and goes once the program has ended: nobody is to think that the axes are locked.
+            self.event(Event::Refused {
+                alarm: AlarmInfo::of(&Alarm::core(Fault::ControlBusy, Span::default())),
+            });
+        }
         self.cnc.set_may_move(may);
         // What took the permission may have stopped the spindle.
         let is_given_back = may && !self.before.axes_may_move;

@@ -326,6 +326,16 @@ fn under_machine_lock_an_interruption_moves_nothing() {
             assert!((up.position.machine[&'Z'] - 0.5).abs() < 1e-9, "{case}: {:?}", up.position);
             shop.mode(Mode::Auto);
             shop.start();
+            // Asked for in a program it is refused, which is told.
+            shop.events.clear();
+            shop.inputs.machine_lock = !locked;
+            shop.wait(2);
+            let is_told = |event: &Event| matches!(event, Event::Refused { alarm } if alarm.id == "FC-1401");
+            assert_eq!(
+                (shop.events.iter().filter(|e| is_told(e)).count(), shop.control.cnc().is_locked()),
+                (1, locked)
+            );
+            shop.inputs.machine_lock = locked;
             let ended = shop.until_it_stops();
             assert_eq!((ended.counters.parts, shop.x()), (1, 80.0), "{case}");
             assert_eq!(moved.load(Ordering::Relaxed), !locked, "{case}");

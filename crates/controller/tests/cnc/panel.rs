@@ -534,6 +534,28 @@ fn a_spindle_that_may_stand_refuses_no_start() {
     }
 }
 
+/// It comes and goes between programs alone: a key that is pressed in one locks nothing, then or later.
+#[test]
+fn the_key_of_machine_lock_does_nothing_while_a_program_is_under_way() {
+    let mut mill = Mill::power_on();
+    mill.home();
+    mill.press("KEY_AUTO");
+    mill.say(Command::Store { program: "O0001".into(), text: CUT.into() });
+    mill.say(Command::Select { program: "O1".into() });
+    mill.press("KEY_START");
+    mill.until("cutting", |status| status.feed.actual > 500.0);
+    mill.press("KEY_MLOCK");
+    mill.press("KEY_HOLD");
+    mill.press("KEY_MLOCK");
+    mill.press("KEY_MLOCK");
+    assert_eq!(mill.wait(300).activity, Activity::Held);
+    mill.press("KEY_START");
+    mill.until("done", |status| status.counters.parts == 1 && status.activity == Activity::Idle);
+    assert!(!mill.wait(100).switches.machine_lock && !mill.control.cnc().is_locked());
+    mill.press("KEY_MLOCK");
+    assert!(mill.wait(100).switches.machine_lock && mill.control.cnc().is_locked());
+}
+
 #[test]
 fn no_axis_is_sent_to_its_reference_point_under_machine_lock() {
     let mut mill = Mill::power_on();
