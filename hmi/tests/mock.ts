@@ -166,7 +166,7 @@ function status(tick: number, options: Options): object {
   return {
     periods: tick * 20, mode: options.mode ?? 'auto', program_mode: 'auto', activity: options.alarm ? 'alarm' : 'running',
     finishing_block: false, alarms: options.alarm ? [{ id: 'FC-0302', line: 3, warning: false, values: {} }] : [],
-    position: { machine: work, actual: work, work, relative: work, to_go: { ...zero, X: 80 - work.X! }, interruption: { ...zero, ...options.interruption }, system: 'G54' },
+    position: { machine: work, actual: work, work, absolute: work, relative: work, to_go: { ...zero, X: 80 - work.X! }, interruption: { ...zero, ...options.interruption }, system: 'G54' },
     feed: { actual: 890 + 10 * Math.sin(angle), programmed: 900, feed_override: 1, rapid_override: 0.5, manual_override: 1, components: {} },
     spindle: { programmed: 2400, told: 2400, actual: -2390, spindle_override: 1.1, tool: 1, called_tool: 2 },
     program: { selected: 'O0001', cursor: 1, running: 'O0001', line: 2 + (Math.floor(angle) % 3), block: 'N20 G01 X50 F900', g_codes: ['G01', 'G17', 'G21', 'G54', 'G90'], h: 1, d: 5 },

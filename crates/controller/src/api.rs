@@ -1388,8 +1388,11 @@ pub struct Positions {
     pub machine: ByAxis,
     /// Where the axes are.
     pub actual: ByAxis,
-    /// In the work coordinate system.
+    /// In the work coordinate system: the tip of the tool, as programs have it.
     pub work: ByAxis,
+    /// What pages show of it: with the tool length on top where a parameter says so (GSK990MC 22#6).
+    #[serde(default)]
+    pub absolute: ByAxis,
     /// Relative coordinates.
     pub relative: ByAxis,
     /// To the end of the move being run.

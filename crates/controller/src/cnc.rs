@@ -406,6 +406,11 @@ impl Cnc {
         self.frame().zero
     }
 
+    /// What tool length compensation adds for the move being run.
+    pub fn tool_length(&self) -> Position {
+        self.frame().length
+    }
+
     /// What is in force for the move being run.
     fn frame(&self) -> Frame {
         self.given.front().map_or_else(|| self.interpreter.frame(), |given| given.frame)

@@ -187,6 +187,11 @@ impl Interpreter {
         self.location.work.shift + self.location.length.vector
     }
 
+    /// What tool length compensation adds to positions.
+    pub fn length_in_force(&self) -> Position {
+        self.location.length.vector
+    }
+
     /// The last F word in mm/min, and S in r/min.
     pub fn feed_and_speed(&self) -> (f64, f64) {
         (self.technology.feed_per_minute, self.technology.speed.unwrap_or(0.0))

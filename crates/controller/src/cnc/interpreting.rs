@@ -51,6 +51,8 @@ type Next = Option<Result<Step, Box<Alarm>>>;
 pub(super) struct Frame {
     /// Machine position of the program's zero, tool length included.
     pub zero: Position,
+    /// What of it is tool length.
+    pub length: Position,
     /// Whether stored stroke check 2 holds (G12).
     pub stroke_check: bool,
     /// Blocks begun.
@@ -63,6 +65,7 @@ impl Frame {
     fn of(interpreter: &Interpreter) -> Frame {
         Frame {
             zero: interpreter.program_zero(),
+            length: interpreter.length_in_force(),
             stroke_check: interpreter.stroke_check(),
             begun: interpreter.blocks_begun(),
             main_line: interpreter.main_line(),

@@ -277,11 +277,15 @@ impl Control {
 
     fn positions(&self) -> Positions {
         let path = self.tick.position - self.cnc.handwheel_shift();
+        // 6.2.2: a handwheel interruption changes neither this nor relative coordinates.
+        let work = path - self.cnc.program_zero();
+        // 22#6 DAL.
+        let absolute = if self.bit(22, 6) { work + self.cnc.tool_length() } else { work };
         Positions {
             machine: self.by_axis(self.tick.position),
             actual: self.by_axis(self.tick.actual),
-            // 6.2.2: a handwheel interruption changes neither.
-            work: self.by_axis(path - self.cnc.program_zero()),
+            work: self.by_axis(work),
+            absolute: self.by_axis(absolute),
             relative: self.by_axis(path - self.origin),
             to_go: self.by_axis(self.cnc.to_go()),
             interruption: self.by_axis(self.cnc.handwheel_shift()),

@@ -3,7 +3,9 @@
 //! given as the ladder would give them.
 
 use crate::common::shop::Shop;
-use ferrocut_controller::api::{Activity, ByAxis, Command, Event, OffsetValues, RelativeTo, Reply, Status};
+use ferrocut_controller::api::{
+    Activity, ByAxis, Command, Event, OffsetValues, Positions, RelativeTo, Reply, Status,
+};
 use ferrocut_controller::signals::{RapidOverride, Ways};
 use ferrocut_controller::{Drives, Mode, Parts};
 use ferrocut_geometry::Position;
@@ -658,6 +660,24 @@ fn the_cursor_stays_on_the_block_that_the_run_was_left_at() {
         shop.say(Command::Reset);
         let status = shop.until_it_stops();
         assert_eq!((status.activity, status.program.cursor), (Activity::Idle, cursor), "{program} {called}");
+    }
+}
+
+/// GSK990MC 22#6 DAL: what pages show of the work coordinates.
+#[test]
+fn the_display_takes_tool_length_into_account_where_a_parameter_says_so() {
+    for (value, shown) in [(0.0, 5.0), (1.0, 17.0)] {
+        let mut shop = Shop::new(&[("NO22.6", value)]);
+        shop.say(Command::SetOffset {
+            number: 1,
+            values: OffsetValues { length: Some(12.0), ..OffsetValues::default() },
+            add: false,
+        });
+        shop.mode(Mode::Mdi);
+        shop.say(Command::Mdi { text: "G43 H1 G0 Z5".into() });
+        shop.start();
+        let Positions { machine, work, absolute, .. } = shop.until_it_stops().position;
+        assert_eq!([machine, work, absolute].map(|axes| axes[&'Z']), [17.0, 5.0, shown]);
     }
 }
 

@@ -246,9 +246,13 @@ machine: { [key in string]: number },
  */
 actual: { [key in string]: number },
 /**
- * In the work coordinate system.
+ * In the work coordinate system: the tip of the tool, as programs have it.
  */
 work: { [key in string]: number },
+/**
+ * What pages show of it: with the tool length on top where a parameter says so (GSK990MC 22#6).
+ */
+absolute: { [key in string]: number },
 /**
  * Relative coordinates.
  */

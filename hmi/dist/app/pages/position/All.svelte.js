@@ -19,7 +19,7 @@ function All($$anchor, $$props) {
 	$.push($$props, true);
 	const status = $.derived(() => machine.status);
 	const kinds = [
-		"work",
+		"absolute",
 		"relative",
 		"machine",
 		"actual",
@@ -95,7 +95,7 @@ function All($$anchor, $$props) {
 					$.template_effect(($0) => {
 						$.set_attribute(th_1, "data-kind", kind);
 						$.set_text(text_3, $0);
-					}, [() => kind === "work" ? $.get(status).position.system ?? t("position.g92") : t(`position.${kind}`)]);
+					}, [() => kind === "absolute" ? $.get(status).position.system ?? t("position.g92") : t(`position.${kind}`)]);
 					$.append($$anchor, th_1);
 				});
 				var th_2 = $.sibling(node_3);
@@ -116,7 +116,7 @@ function All($$anchor, $$props) {
 						let classes;
 						var text_7 = $.only_child(td, true);
 						$.template_effect(($0) => {
-							classes = $.set_class(td, 1, "right value s-2ni3hj", null, classes, { main: kind === "work" });
+							classes = $.set_class(td, 1, "right value s-2ni3hj", null, classes, { main: kind === "absolute" });
 							$.set_text(text_7, $0);
 						}, [() => fixed($.get(status).position[kind][axis])]);
 						$.append($$anchor, td);

@@ -203,7 +203,7 @@ function Large($$anchor, $$props) {
 		$.set_text(text_8, $2);
 		$.set_text(text_9, $3);
 	}, [
-		() => $$props.what === "work" ? $.get(status).position.system ?? t("position.g92") : t("position.relative"),
+		() => $$props.what === "absolute" ? $.get(status).position.system ?? t("position.g92") : t("position.relative"),
 		() => placeUnit(),
 		() => t(`position.${second($.get(status).mode)}`),
 		() => t("position.machine")

@@ -63,7 +63,7 @@ function Position($$anchor, $$props) {
 							});
 							$.append($$anchor, fragment_4);
 						};
-						let $0 = $.derived(() => $.get(active) === "relative" ? "relative" : "work");
+						let $0 = $.derived(() => $.get(active) === "relative" ? "relative" : "absolute");
 						let $1 = $.derived(() => $.get(active) === "program");
 						Large($$anchor, {
 							get what() {

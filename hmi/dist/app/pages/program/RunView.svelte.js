@@ -158,7 +158,7 @@ function RunView($$anchor, $$props) {
 						$.template_effect(($0) => {
 							$.set_text(text_8, axis);
 							$.set_text(text_9, $0);
-						}, [() => fixed(machine.status.position.work[axis])]);
+						}, [() => fixed(machine.status.position.absolute[axis])]);
 						$.append($$anchor, span_5);
 					});
 					$.reset(span_4);
