@@ -969,14 +969,18 @@ impl Cnc {
         self.forget_passed();
         self.tell_messages(self.next_tag);
         let block = self.blocks.waiting.take();
-        self.main_line = block.map_or(self.main_line, |block| block.main_line);
+        self.main_line = match block.map(|block| block.main_line) {
+            Some(line) if line > 0 => line,
+            _ => self.main_line,
+        };
         let step = match waiting {
             Waiting::Alarm(alarm) => {
                 self.span = alarm.span;
                 // Those before it are done; before the first one nothing was run.
-                let has_begun = self.taking_up.at.1.line > 0 && alarm.span.line > 0;
-                if let Some(block) = block.filter(|_| has_begun) {
-                    self.comes_to(block.number(), alarm.span);
+                let has_begun = self.taking_up.at.1.line > 0;
+                if let Some(number) = block.and_then(|block| block.number()).filter(|_| has_begun) {
+                    let frame = self.interpreter.frame();
+                    self.comes_to(number, if number == frame.begun { frame.last } else { alarm.span });
                 }
                 self.state = State::Alarmed(alarm);
                 return;

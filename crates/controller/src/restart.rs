@@ -311,7 +311,7 @@ impl Journal {
         let mut at = Interpreter::position(interpreter);
         let mut answers = self.answers.iter().peekable();
         interpreter.set_mark_within(until, most);
-        let (mut waited, mut stopped) = (false, false);
+        let (mut waited, mut stopped) = (false, None);
         let mut by_hand = self.by_hand.iter().peekable();
         while !stop.load(Ordering::Relaxed) {
             while let Some((_, change)) = by_hand.next_if(|(block, _)| *block <= interpreter.blocks_begun()) {
@@ -322,6 +322,8 @@ impl Journal {
             if step.op.moves_from(at) {
                 functions.begin_move();
             }
+            // What was asked in a block that is left out now, as by block skip, is not asked.
+            while answers.next_if(|answer| answer.block < step.block).is_some() {}
             match &step.op {
                 // Where the signal came, and then the barrier behind it.
                 Op::Skip { to, .. } => {
@@ -341,7 +343,9 @@ impl Journal {
                         at = answer.at_rest.commanded;
                     }
                     // A change of tool asks for auxiliary lock, and which tool is in the spindle; behind a stop nothing is asked.
-                    None if interpreter.asks_for_lock() || interpreter.changes_tool() || stopped => {}
+                    None if interpreter.asks_for_lock()
+                        || interpreter.changes_tool()
+                        || stopped == Some(step.block) => {}
                     None => functions.unknown += 1,
                 },
                 Op::Datum { at: name } => {
@@ -357,7 +361,7 @@ impl Journal {
                 }
             }
             waited = matches!(step.op, Op::Wait { .. });
-            stopped = matches!(step.op, Op::Stop(_));
+            stopped = matches!(step.op, Op::Stop(_)).then_some(step.block);
         }
         if interpreter.is_at_mark() {
             // What was changed behind the place is so all the same.
@@ -607,7 +611,7 @@ impl Restart {
     }
 
     fn step(&self, op: Op) -> Step {
-        Step { op, span: self.span, block: self.block, section: 0 }
+        Step { op, span: self.span, block: self.block, section: 0, main_line: 0 }
     }
 }
 

@@ -7,7 +7,7 @@ use crate::pockets::BesideProgram;
 use ferrocut_controller::control::PublicPrograms;
 use ferrocut_geometry::AxisNames;
 use ferrocut_interpreter::dialects::guess::{Reason, guess};
-use ferrocut_interpreter::{Dialect, Interpreter, MachineCodes, Options, dialects};
+use ferrocut_interpreter::{Dialect, Interpreter, MachineCodes, Options, dialects, place_variables};
 use ferrocut_machine::{
     Alarm, Catalogue, ConfigError, Fault, Language, Machine, Memory, ParameterFile, ParameterKey, Setup,
     ToolLibrary,
@@ -344,7 +344,7 @@ impl Shop {
     }
 
     /// What the machine remembers before a program in this language.
-    pub fn memory_of(&self, dialect: &Dialect, told: Told) -> Result<Memory, Failure> {
+    pub fn memory_of(&self, dialect: &'static Dialect, told: Told) -> Result<Memory, Failure> {
         let mut memory = Memory::new(dialect.name);
         let texts = self.diagnostics.catalogue();
         // A program of another control than the machine's meets none of its parameters.
@@ -365,7 +365,7 @@ impl Shop {
         }
         let unusable = |error: ConfigError| Failure::config("setup", &error.told(texts));
         self.setup.apply(&mut memory).map_err(unusable)?;
-        Ok(memory)
+        place_variables(dialect, memory).map_err(Failure::setting)
     }
 
     /// The control language and what it was told from, in words.

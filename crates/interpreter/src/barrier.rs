@@ -132,7 +132,17 @@ impl Interpreter {
     /// Gives out a barrier. What cutter compensation holds back ends here, square to its last move, as
     /// before a block that it cannot look beyond (GSK990MC 4.7.3, 7).
     pub(crate) fn emit_barrier(&mut self) -> Fallible<()> {
+        let step = self.step(Op::Barrier);
+        self.push_barrier(step)
+    }
+
+    /// The same before a block, which single block does not take for one.
+    pub(crate) fn emit_barrier_before(&mut self) -> Fallible<()> {
         let step = Step { section: Step::PASSED, ..self.step(Op::Barrier) };
+        self.push_barrier(step)
+    }
+
+    fn push_barrier(&mut self, step: Step) -> Fallible<()> {
         // Not by `emit`: a program that only waits does not get on.
         let output = &mut self.output;
         let done = output.move_is_missing().and_then(|()| output.flush()).and_then(|()| output.push(step));

@@ -6,7 +6,9 @@ use crate::custom::{Custom, Suspended};
 use crate::interpreter::Interpreter;
 use crate::search::Mark;
 use ferrocut_machine::{Alarm, Fault};
-use ferrocut_program::{Block, Page, Place, ProgramId, ProgramMemory, Span, Statement, Text, Value, Word};
+use ferrocut_program::{
+    Block, FileId, Page, Place, ProgramId, ProgramMemory, Span, Statement, Text, Value, Word,
+};
 use ferrocut_toolpath::{Dwell, Op, Step};
 use rustc_hash::FxHashMap;
 use std::io;
@@ -166,6 +168,12 @@ impl Flow {
     #[inline]
     pub(crate) fn begun(&self) -> u64 {
         self.begun
+    }
+
+    /// Span of the block run last.
+    #[inline]
+    pub(crate) fn last(&self) -> Span {
+        self.last
     }
 
     /// Line of the main program's block run last, counted from 1; 0 before the first.
@@ -426,7 +434,8 @@ struct Before {
 impl Interpreter {
     /// Where the program is run block by block, a block that made no step gets an end of its own (GSK990MC part 2, 7.6:
     /// the control stops behind each block). A macro statement is one as a parameter says (51#5). A block that only
-    /// leads elsewhere (M98, M99, GOTO) has none, as on Fanuc. The line to stop at has one whatever it is (3.4.1).
+    /// leads elsewhere (M98, M99, GOTO) has none, as on Fanuc. The line to stop at has one whatever it is (3.4.1),
+    /// save in cutter compensation.
     fn end_single_block(&mut self, page: &Page, block: &Block, before: &Before) -> Fallible<()> {
         let is_described = self.described.is_collecting() || self.described.profiles.is_recording();
         let is_wrong = self.alarms_noted() > before.alarms;
@@ -529,7 +538,7 @@ impl Interpreter {
             }
             Some(block) => {
                 self.flow.last = page.block_span(block);
-                if self.flow.calls.is_empty() {
+                if self.calls() == 0 && at.file == FileId(0) {
                     self.flow.main_line = self.flow.last.line;
                 }
                 self.execute(&page, block, index)
@@ -542,7 +551,7 @@ impl Interpreter {
                 self.flow.place = at;
                 self.flow.entered = entered;
                 self.forget_alarms(alarms);
-                result = self.emit_barrier();
+                result = self.emit_barrier_before();
                 Present::Known
             }
             _ => {

@@ -400,9 +400,8 @@ impl Interpreter {
             origins: None,
             machine: DEMO_MILL.clone(),
         };
-        match dialect.blocks {
-            Some(_) => interpreter.ngc_start(),
-            None => interpreter.place_variables(),
+        if dialect.blocks.is_some() {
+            interpreter.ngc_start();
         }
         interpreter
     }
@@ -675,8 +674,11 @@ impl Interpreter {
                 if !self.options.keep_going {
                     self.ended = true;
                     self.alarms.clear();
-                    // What was read up to here is done once the machine comes to it.
-                    self.note_in_force();
+                    // What was read up to here is done once the machine comes to it. Not so where a stage that looks ahead
+                    // has stopped the run: it holds back blocks before.
+                    if self.flow.last().holds(alarm.span) {
+                        self.note_in_force();
+                    }
                 }
                 return Some(Err(alarm));
             }

@@ -54,6 +54,7 @@ pub use barrier::AtRest;
 pub use dialect::{Dialect, Rules};
 pub use in_force::InForce;
 pub use interpreter::{Interpreter, MachineCodes, Options};
+pub use macros::place_variables;
 pub use origins::Origins;
 pub use referenced::Unreferenced;
 pub use search::Until;

@@ -47,7 +47,7 @@ impl Interpreter {
     /// with (GSK990MC 5.2 note 2). In cutter compensation and at a corner the move behind it decides where the one before ends.
     fn program_stop(&mut self, code: &MCode) -> Fallible<()> {
         self.emit(Op::Stop(code.code.into()));
-        if self.output.looks_ahead() { Ok(()) } else { self.emit_barrier() }
+        if self.output.looks_ahead() { Ok(()) } else { self.emit_barrier_before() }
     }
 
     pub(crate) fn m_function(&mut self, code: &MCode, span: Span) -> Fallible<()> {

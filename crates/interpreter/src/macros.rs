@@ -2,15 +2,16 @@
 
 use crate::Fallible;
 use crate::barrier::Present;
-use crate::dialect::Variable;
+use crate::dialect::{Dialect, Variable};
 use crate::evaluate::{Evaluator, Value};
 use crate::flow::Locals;
-use crate::interpreter::Interpreter;
+use crate::interpreter::{Interpreter, Options};
 use crate::stages::units;
 use ferrocut_geometry::{Axis, MM_PER_INCH, Position};
-use ferrocut_machine::{Alarm, AlarmId, Fault, WorkOffset};
+use ferrocut_machine::{Alarm, AlarmId, Fault, Memory, WorkOffset};
 use ferrocut_program::{
-    Block, ExprRange, Node, Page, ProgramId, Span, Statement, Unary, Value as WordValue, Word,
+    Block, ExprRange, Node, Page, ProgramId, ProgramMemory, Span, Statement, Text, Unary, Value as WordValue,
+    Word,
 };
 use ferrocut_toolpath::{Op, Port};
 
@@ -22,6 +23,20 @@ pub(crate) const INPUT_WORD: u16 = u16::MAX;
 
 /// Common variables that power-off clears (table 4-9-2-1).
 const VOLATILE: std::ops::RangeInclusive<u32> = 100..=199;
+
+/// What a set-up gives variables that stand for something else is put there: `"#5201" = 10` into the zero.
+///
+/// # Errors
+/// The alarm of a program that assigned it: the variable is only read, the value cannot be.
+pub fn place_variables(dialect: &'static Dialect, memory: Memory) -> Fallible<Memory> {
+    if dialect.blocks.is_some() {
+        return Ok(memory);
+    }
+    let programs = ProgramMemory::new("", Text::sent(), dialect.syntax);
+    let mut interpreter = Interpreter::new(dialect, programs, memory, Options::default());
+    interpreter.place_variables()?;
+    Ok(interpreter.memory)
+}
 
 impl Interpreter {
     /// Clears the variables that a reset clears.
@@ -244,8 +259,8 @@ impl Interpreter {
         Ok(())
     }
 
-    /// What a set-up gives variables that stand for something else is put there: `"#5201" = 10` into the zero.
-    pub(crate) fn place_variables(&mut self) {
+    /// Puts what variables have that stand for something else where they stand for it.
+    fn place_variables(&mut self) -> Fallible<()> {
         let stands_for = |number: u32| {
             let variable = (self.dialect.variable)(number);
             variable.filter(|variable| !matches!(variable, Variable::Plain | Variable::UserTable))
@@ -259,9 +274,10 @@ impl Interpreter {
                 let name = self.dialect.syntax.variable_name(number);
                 let mut alarm = self.alarm(fault, Span::default());
                 alarm.arguments.push(("variable", name.into()));
-                self.note(alarm);
+                return Err(alarm);
             }
         }
+        Ok(())
     }
 
     /// `#3000 = n` and `G65 H99 Pn`: alarm n of the program (GSK990MC 4.9.4).

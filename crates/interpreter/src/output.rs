@@ -508,7 +508,8 @@ impl Queue {
             (self.one_way.pop_front(), &step.op)
         {
             let first = Op::Rapid { to: to + how.beyond, straight, speed, path };
-            let of_block = |op: Op| Step { op, span, block: step.block, section: step.section };
+            let (block, section, main_line) = (step.block, step.section, step.main_line);
+            let of_block = |op: Op| Step { op, span, block, section, main_line };
             self.steps.push_back(of_block(first));
             if how.dwell_s > 0.0 {
                 self.steps.push_back(of_block(Op::Dwell(Dwell::Seconds(how.dwell_s))));
@@ -559,8 +560,8 @@ impl Interpreter {
     /// A step of the block being executed.
     #[inline]
     pub(crate) fn step(&self, op: Op) -> Step {
-        let (block, section) = (self.flow.begun(), self.flow.section());
-        Step { op, span: self.words.block_span(), block, section }
+        let (block, section, main_line) = (self.flow.begun(), self.flow.section(), self.flow.main_line());
+        Step { op, span: self.words.block_span(), block, section, main_line }
     }
 
     /// Gives out a step of the block being executed.

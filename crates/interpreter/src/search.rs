@@ -129,6 +129,11 @@ impl Interpreter {
         self.flow.main_line()
     }
 
+    /// The block run last.
+    pub fn last_block(&self) -> Span {
+        self.flow.last()
+    }
+
     /// Whether the program that stands for the tool change is being run.
     pub fn changes_tool(&self) -> bool {
         self.flow.runs_custom(Custom::ToolChange)

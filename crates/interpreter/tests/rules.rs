@@ -5,7 +5,8 @@
 mod common;
 
 use common::{holds, holds_turning, holds_with, lines, run};
-use ferrocut_machine::Fault;
+use ferrocut_interpreter::place_variables;
+use ferrocut_machine::{Fault, Memory};
 
 #[test]
 fn positioning_and_straight_cuts() {
@@ -53,7 +54,9 @@ fn absolute_and_incremental() {
         "G54 G0 X1\nG43 H1 Z0",
         &["rapid X11", "rapid Z4"],
     );
-    let refused = run("G0 X1\nM30", "[variables]\n\"#5001\" = 1.0").1.unwrap();
+    let mut memory = Memory::new("gsk990mc");
+    memory.variables.set(5001, Some(1.0)).unwrap();
+    let refused = place_variables(&ferrocut_interpreter::dialects::gsk990mc::DIALECT, memory).unwrap_err();
     assert_eq!(refused.fault, Fault::VariableNotWritable);
     // 31#4: G91 at power-on.
     holds_with("[start]\nx = 5\n[parameters]\n\"NO31.4\" = 1", "G0 X1", &["rapid X6"]);

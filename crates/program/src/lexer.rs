@@ -477,20 +477,15 @@ impl Lexer<'_> {
         })
     }
 
-    /// Reads `IF (…)` before what it rules over, which is the rest of the line: there may be another first, and both must hold.
+    /// Reads `IF (…)` before what it rules over. It stands first in its block, and once.
     fn guard(&mut self, block: u32, first_word: usize, before: Option<u16>) -> Option<u16> {
         let start = self.at;
-        let mixed = !self.only_sequence_number(first_word);
+        let mixed = before.is_some() || !self.only_sequence_number(first_word);
         self.at += self.letters().len();
-        let before = before.and_then(|_| self.page.guards.pop());
         let flaw = match self.condition() {
             Ok(_) if mixed => Flaw(DefectKind::MixedStatement, start, self.at - start),
             Ok(condition) => {
-                let both = before.map(|before| {
-                    self.page.nodes.push(Node::Binary(Binary::LogicalAnd));
-                    self.range_from(before.start as usize)
-                });
-                self.page.guards.push(both.unwrap_or(condition));
+                self.page.guards.push(condition);
                 return u16::try_from(self.page.guards.len() - 1).ok();
             }
             Err(flaw) => flaw,

@@ -18,6 +18,12 @@ pub struct Span {
 }
 
 impl Span {
+    /// Whether `other` begins within it.
+    pub fn holds(self, other: Span) -> bool {
+        let end = self.offset + u64::from(self.len);
+        other.line > 0 && self.file == other.file && (self.offset..=end).contains(&other.offset)
+    }
+
     /// The smallest span of one line's text that holds both; `other` is in the same block.
     pub fn to(self, other: Span) -> Span {
         let end = (self.offset + u64::from(self.len)).max(other.offset + u64::from(other.len));

@@ -49,8 +49,7 @@ fn a_guard_rules_over_its_block() {
     shows("IF(#1) #2=3", &["1 «IF(#1) #2=3» if #1 #(2) = 3"]);
     shows("IF(#1)", &["1 «IF(#1)» if #1"]);
     shows("X1 IF(#1)", &["1 «X1 IF(#1)» X=1 «X1» MixedStatement «IF(#1)»"]);
-    shows("IF(1)IF(#2)X1", &["1 «IF(1)IF(#2)X1» X=1 «X1» if 1 #2 LogicalAnd"]);
-    shows("IF(1)X2IF(2)", &["1 «IF(1)X2IF(2)» X=2 «X2» MixedStatement «IF(2)»"]);
+    shows("IF(1)IF(2)X1", &["1 «IF(1)IF(2)X1» MixedStatement «IF(2)»"]);
 }
 
 #[test]

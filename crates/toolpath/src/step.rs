@@ -18,6 +18,8 @@ pub struct Step {
     /// G28 (GSK990MC part 2, 7.6), and behind the positioning of a canned cycle and on level R (part 1, 4).
     /// [`PASSED`](Self::PASSED) where it does not stop behind it.
     pub section: u32,
+    /// Line of its block in the main program, counted from 1: within a subprogram that of the call. 0 where there is none.
+    pub main_line: u32,
 }
 
 impl Step {

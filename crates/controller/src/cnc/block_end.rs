@@ -33,12 +33,12 @@ impl Block {
 
     /// Whether both are of one block, in one pass.
     fn is_part_of(&self, other: Block) -> bool {
-        Block { section: other.section, ..*self } == other
+        Block { section: other.section, main_line: other.main_line, ..*self } == other
     }
 
-    /// Which of the blocks begun it is.
-    pub fn number(&self) -> u64 {
-        self.number
+    /// Which of the blocks begun it is, where that is known.
+    pub fn number(&self) -> Option<u64> {
+        (self.number != UNKNOWN).then_some(self.number)
     }
 
     /// Whether this is its text, in whichever pass.
@@ -46,6 +46,9 @@ impl Block {
         (self.file, self.offset) == (span.file, span.offset)
     }
 }
+
+/// The number of a block that none is known of.
+const UNKNOWN: u64 = u64::MAX;
 
 /// How far a stop in the middle of what motion has come.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
@@ -216,13 +219,15 @@ impl Cnc {
         match next {
             Ok(step) => {
                 let block = Block::at(step.span, step.block);
-                Block { section: step.section, main_line: frame.main_line, ..block }
+                Block { section: step.section, main_line: step.main_line, ..block }
             }
-            // It is of the block whose text it names, or of the one that was begun last.
+            // It is of the block that was begun last, or of one that a stage which looks ahead holds back.
+            Err(alarm) if frame.last.holds(alarm.span) => {
+                Block { main_line: frame.main_line, ..Block::at(frame.last, frame.begun) }
+            }
             Err(alarm) => {
                 let same = self.blocks.taken.filter(|taken| taken.is_at(alarm.span));
-                let last = Block::at(alarm.span, frame.begun);
-                same.unwrap_or(Block { main_line: frame.main_line, ..last })
+                same.unwrap_or(Block::at(alarm.span, UNKNOWN))
             }
         }
     }

@@ -22,7 +22,7 @@ use crate::restart::Journal;
 use ferrocut_geometry::Position;
 use ferrocut_interpreter::Interpreter;
 use ferrocut_machine::Alarm;
-use ferrocut_program::FileId;
+use ferrocut_program::{FileId, Span};
 use ferrocut_toolpath::{Op, Step};
 use rtrb::{Consumer, Producer, RingBuffer};
 use std::ops::Deref;
@@ -55,9 +55,9 @@ pub(super) struct Frame {
     pub length: Position,
     /// Whether stored stroke check 2 holds (G12).
     pub stroke_check: bool,
-    /// Blocks begun.
+    /// Blocks begun, the last of them, and its line in the main program.
     pub begun: u64,
-    /// Line of the main program's block: within a subprogram that of its call.
+    pub last: Span,
     pub main_line: u32,
 }
 
@@ -68,6 +68,7 @@ impl Frame {
             length: interpreter.length_in_force(),
             stroke_check: interpreter.stroke_check(),
             begun: interpreter.blocks_begun(),
+            last: interpreter.last_block(),
             main_line: interpreter.main_line(),
         }
     }

@@ -759,7 +759,8 @@ impl Control {
     /// be moved by hand.
     fn follow_cursor(&mut self) {
         let (line, (block, _)) = (self.cnc.main_line(), self.cnc.block_run());
-        let is_run = self.cnc.is_under_way() || matches!(self.cnc.state(), State::Alarmed(_));
+        let is_run = self.cnc.is_under_way() && !self.cnc.is_leading_in()
+            || matches!(self.cnc.state(), State::Alarmed(_));
         let is_new = self.cnc.state() == &State::Running || block != self.followed;
         if is_run && is_new && matches!(self.loaded, Loaded::Auto(_)) && line > 0 {
             (self.cursor, self.followed) = (line, block);

@@ -663,6 +663,32 @@ fn the_cursor_stays_on_the_block_that_the_run_was_left_at() {
     }
 }
 
+/// Cutter compensation reads moves ahead: the cursor is that of the move being run.
+#[test]
+fn the_cursor_does_not_run_ahead_in_cutter_compensation() {
+    let program = "O1\nG90 G41 D1 G1 X10 F3000\nX40 F600\nY20 F3000\nX50\nY30\nG40 X60\nM30\n";
+    for single in [false, true] {
+        let mut shop = Shop::new(&[]);
+        let radius = OffsetValues { radius: Some(2.0), ..OffsetValues::default() };
+        shop.say(Command::SetOffset { number: 1, values: radius, add: false });
+        shop.store("O0001", program);
+        shop.select("O1");
+        shop.mode(Mode::Auto);
+        shop.inputs.single_block = single;
+        shop.start();
+        if single {
+            shop.until_it_stops();
+            shop.start();
+            shop.until_it_stops();
+        } else {
+            shop.wait(1500);
+        }
+        assert_eq!(shop.wait(1).program.cursor, 3, "{single}");
+        shop.say(Command::Reset);
+        assert_eq!(shop.until_it_stops().program.cursor, if single { 4 } else { 3 });
+    }
+}
+
 /// GSK990MC 22#6 DAL: what pages show of the work coordinates.
 #[test]
 fn the_display_takes_tool_length_into_account_where_a_parameter_says_so() {

@@ -553,3 +553,26 @@ fn a_program_that_never_began_was_interrupted_nowhere() {
     assert_eq!(status.interrupted, None);
     assert!(!shop.events.iter().any(|event| matches!(event, Event::Interrupted { .. })));
 }
+
+#[test]
+fn a_run_that_an_alarm_stopped_is_taken_up_at_its_block() {
+    let mut shop = Shop::new(&[]);
+    shop.store("O0001", "O1\nG90 G1 X10 F3000\nN20 M98 P777\nX20\nM30\n");
+    shop.select("O1");
+    shop.mode(Mode::Auto);
+    shop.start();
+    assert_eq!(shop.until_it_stops().activity, Activity::Alarm);
+    shop.say(Command::Reset);
+    let status = shop.until_it_stops();
+    let interrupted = status.interrupted.unwrap();
+    assert_eq!((interrupted.line, &interrupted.text[..]), (3, "N20 M98 P777"));
+    assert_eq!(status.program.cursor, 3);
+    shop.store("O0777", "O777\nG1 X15\nM99\n");
+    prepared(&mut shop, restart(None, false)).unwrap();
+    shop.start();
+    let status = shop.until_it_stops();
+    assert_eq!(
+        (status.activity, status.position.machine[&'X'], status.counters.parts),
+        (Activity::Idle, 20.0, 1)
+    );
+}

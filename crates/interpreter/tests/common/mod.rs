@@ -25,6 +25,7 @@ pub fn interpreter_of(
     let setup = Setup::from_toml(setup).unwrap();
     let mut memory = Memory::new(dialect.name);
     setup.apply(&mut memory).unwrap();
+    let memory = ferrocut_interpreter::place_variables(dialect, memory).unwrap();
     let options = Options {
         start: setup.start.position(),
         block_skip: options.block_skip || setup.options.block_skip,
