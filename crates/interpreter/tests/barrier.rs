@@ -46,6 +46,15 @@ fn what_is_behind_a_stop_is_read_after_it() {
     // In cutter compensation the move before is still to end.
     let found = lines("G41 D1 G1 X10 F100\nX20\nM00\nY10\nG40 X40\nM30\n", "[tools.1]\nradius = 5");
     assert!(!found.contains(&"Barrier".to_owned()), "{found:?}");
+    // LinuxCNC reads no further either; M1 that does not stop holds nothing up.
+    let ngc = |program: &str| {
+        let dialect = &ferrocut_interpreter::dialects::rs274::DIALECT;
+        let interpreter =
+            common::interpreter_of(dialect, program.as_bytes(), "", Options::default()).unwrap();
+        let ops: Vec<Op> = interpreter.map(|step| step.unwrap().op).collect();
+        ops.windows(2).filter(|pair| pair[0] == Op::Stop(0) && pair[1] == Op::Barrier).count()
+    };
+    assert_eq!([ngc("G0 X1\nM0\nG0 X2\nM2\n"), ngc("G0 X1\nM1\nG0 X2\nM2\n")], [1, 0]);
 }
 
 #[test]

@@ -418,7 +418,11 @@ impl Interpreter {
                 }
             }
             MFunction::OptionalStop if !self.options.optional_stop => {}
-            _ => self.emit(Op::Stop(row.code.into())),
+            _ => {
+                self.emit(Op::Stop(row.code.into()));
+                // Nothing behind it is read before the start.
+                return self.emit_barrier_before();
+            }
         }
         Ok(())
     }
