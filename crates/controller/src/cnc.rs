@@ -969,10 +969,9 @@ impl Cnc {
         self.forget_passed();
         self.tell_messages(self.next_tag);
         let block = self.blocks.waiting.take();
-        self.main_line = match block.map(|block| block.main_line) {
-            Some(line) if line > 0 => line,
-            _ => self.main_line,
-        };
+        if let Some(block) = block.filter(|block| block.main_line > 0) {
+            self.main_line = block.main_line;
+        }
         let step = match waiting {
             Waiting::Alarm(alarm) => {
                 self.span = alarm.span;

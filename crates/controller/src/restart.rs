@@ -611,7 +611,7 @@ impl Restart {
     }
 
     fn step(&self, op: Op) -> Step {
-        Step { op, span: self.span, block: self.block, section: 0, main_line: 0 }
+        Step::new(op, self.span, self.block)
     }
 }
 

@@ -186,16 +186,25 @@ impl Interpreter {
                 let port = Port::Named(format!("#{number}").into());
                 self.emit(Op::Output { port, value: v, with_next_move: false });
             }
-            variable => {
-                if let Err(fault) = self.store(variable, number, value) {
-                    let mut alarm = self.alarm(fault, span);
-                    alarm.arguments.push(("variable", self.dialect.syntax.variable_name(number).into()));
-                    return Err(alarm);
-                }
-            }
+            variable => self.store_at(variable, number, value, span)?,
         }
         self.variable_writes += 1;
         Ok(())
+    }
+
+    /// The same as [`store`](Self::store), with the alarm of what cannot be.
+    fn store_at(
+        &mut self,
+        variable: Option<Variable>,
+        number: u32,
+        value: Value,
+        span: Span,
+    ) -> Fallible<()> {
+        self.store(variable, number, value).map_err(|fault| {
+            let mut alarm = self.alarm(fault, span);
+            alarm.arguments.push(("variable", self.dialect.syntax.variable_name(number).into()));
+            alarm
+        })
     }
 
     /// Puts a value where a variable stands for.
@@ -261,21 +270,15 @@ impl Interpreter {
 
     /// Puts what variables have that stand for something else where they stand for it.
     fn place_variables(&mut self) -> Fallible<()> {
-        let stands_for = |number: u32| {
-            let variable = (self.dialect.variable)(number);
-            variable.filter(|variable| !matches!(variable, Variable::Plain | Variable::UserTable))
-        };
         let values: Vec<_> = self.memory.variables.iter().collect();
         for (number, value) in values {
-            let Some(variable) = stands_for(number) else { continue };
+            let variable = (self.dialect.variable)(number);
+            if variable.is_none() || self.is_entered_by_hand(number) {
+                continue;
+            }
             // There is room for no value.
             let _ = self.memory.variables.set(number, None);
-            if let Err(fault) = self.store(Some(variable), number, Some(value)) {
-                let name = self.dialect.syntax.variable_name(number);
-                let mut alarm = self.alarm(fault, Span::default());
-                alarm.arguments.push(("variable", name.into()));
-                return Err(alarm);
-            }
+            self.store_at(variable, number, Some(value), Span::default())?;
         }
         Ok(())
     }

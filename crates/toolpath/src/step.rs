@@ -26,6 +26,11 @@ impl Step {
     /// The [`section`](Self::section) of what is no block to single block: what it waits for the machine with, and macro
     /// statements, unless a parameter says that they are (GSK990MC 51#5).
     pub const PASSED: u32 = u32::MAX;
+
+    /// A step that no line of a main program gives: of block `block`, 0 for none.
+    pub fn new(op: Op, span: Span, block: u64) -> Step {
+        Step { op, span, block, section: 0, main_line: 0 }
+    }
 }
 
 /// Feed of a cutting move.

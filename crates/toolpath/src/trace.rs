@@ -465,7 +465,7 @@ mod tests {
         let mut trace = TraceWriter::new(&mut out, Position::ZERO);
         let span = Span { line: 7, ..Span::default() };
         for op in [Op::Machine(10), Op::MachineNumber { code: 802, number: 196_611 }, Op::ToolNumber(4)] {
-            trace.step(&Step { op, span, block: 0, section: 0, main_line: 0 }).unwrap();
+            trace.step(&Step::new(op, span, 0)).unwrap();
         }
         trace.finish().unwrap();
         assert_eq!(
@@ -483,13 +483,11 @@ mod tests {
         let mut trace = TraceWriter::new(&mut out, at);
         let span = Span { line: 7, ..Span::default() };
         trace
-            .step(&Step {
-                op: Op::Rapid { to: at, straight: true, speed: None, path: PathMode::ON_PATH },
+            .step(&Step::new(
+                Op::Rapid { to: at, straight: true, speed: None, path: PathMode::ON_PATH },
                 span,
-                block: 0,
-                section: 0,
-                main_line: 0,
-            })
+                0,
+            ))
             .unwrap();
         let feed = Feed::PerMinute(100.0);
         let path = PathMode::Continuous;
@@ -502,7 +500,7 @@ mod tests {
             feed_along: crate::step::FeedAlong::Path,
             path,
         };
-        trace.step(&Step { op: circle, span, block: 0, section: 0, main_line: 0 }).unwrap();
+        trace.step(&Step::new(circle, span, 0)).unwrap();
         trace.finish().unwrap();
         assert_eq!(
             String::from_utf8(out).unwrap(),

@@ -215,17 +215,17 @@ impl Cnc {
 
     /// The block of something from the interpreter.
     fn block_of(&self, next: &Result<Step, Box<Alarm>>) -> Block {
-        let frame = self.interpreter.frame();
         match next {
             Ok(step) => {
                 let block = Block::at(step.span, step.block);
                 Block { section: step.section, main_line: step.main_line, ..block }
             }
             // It is of the block that was begun last, or of one that a stage which looks ahead holds back.
-            Err(alarm) if frame.last.holds(alarm.span) => {
-                Block { main_line: frame.main_line, ..Block::at(frame.last, frame.begun) }
-            }
             Err(alarm) => {
+                let frame = self.interpreter.frame();
+                if frame.last.holds(alarm.span) {
+                    return Block { main_line: frame.main_line, ..Block::at(frame.last, frame.begun) };
+                }
                 let same = self.blocks.taken.filter(|taken| taken.is_at(alarm.span));
                 same.unwrap_or(Block::at(alarm.span, UNKNOWN))
             }
@@ -342,9 +342,15 @@ impl Cnc {
 
     /// Stopped at the end of a block: the line of the main program that comes next; none within a block.
     pub fn main_line_behind(&self) -> Option<u32> {
-        let next = self.block_behind().filter(|_| self.state == State::BlockEnd)?;
-        let is_within = self.blocks.run.is_some_and(|run| next.is_part_of(run));
-        (next.main_line > 0 && !is_within).then_some(next.main_line)
+        let is_behind = self.state == State::BlockEnd && !self.is_within_block();
+        let next = self.block_behind().filter(|next| is_behind && next.main_line > 0)?;
+        Some(next.main_line)
+    }
+
+    /// Whether what comes next is of the block being run, motion being at rest with nothing left.
+    fn is_within_block(&self) -> bool {
+        let pair = self.block_behind().zip(self.blocks.run);
+        pair.is_some_and(|(next, run)| next.is_part_of(run))
     }
 
     /// The program stops at the end of a block.
@@ -352,10 +358,9 @@ impl Cnc {
         self.state = State::BlockEnd;
         self.blocks.asked = false;
         // Behind a part of the block, the line is still to be stopped at.
-        let goes_on = |run: Block| self.block_behind().is_some_and(|next| next.is_part_of(run));
         if let Some(run) = self.blocks.run
             && self.blocks.stop_line == Some((run.file, run.line))
-            && !goes_on(run)
+            && !self.is_within_block()
         {
             self.stop_behind(None);
         }

@@ -131,8 +131,7 @@ impl Cnc {
     /// A program that ends hands over a speed that was not told to the spindle.
     pub(super) fn hands_over_speed(&mut self) -> bool {
         let speed = self.interpreter.spindle_speed();
-        let step =
-            Step { op: Op::Barrier, span: self.span, block: self.taking_up.at.0, section: 0, main_line: 0 };
+        let step = Step::new(Op::Barrier, self.span, self.taking_up.at.0);
         self.auxiliary.as_mut().is_some_and(|auxiliary| auxiliary.hand_over_speed(speed, &step))
     }
 

@@ -141,7 +141,7 @@ impl Cnc {
         }
         let from = if self.sent.is_jogging { self.sent.jog_end } else { self.commanded };
         let op = Op::Feed { to, feed: Feed::PerMinute(feed), path: PathMode::FullFeed };
-        let step = Step { op, span: Span { line: 0, ..Span::default() }, block: 0, section: 0, main_line: 0 };
+        let step = Step::new(op, Span::default(), 0);
         if let Some(alarm) = self.supervisor.refusal(from, &step) {
             return Err(alarm);
         }

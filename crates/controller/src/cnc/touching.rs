@@ -215,7 +215,7 @@ impl Cnc {
         if let Some(alarm) = self.interpreter.stroke_alarm(at, &op) {
             return Some(Err(Box::new(Alarm { span: Span::default(), ..*alarm })));
         }
-        Some(Ok(Step { op, span: Span::default(), block, section: 0, main_line: 0 }))
+        Some(Ok(Step::new(op, Span::default(), block)))
     }
 
     /// A skip move of theirs ended.

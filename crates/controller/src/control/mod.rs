@@ -520,9 +520,7 @@ impl Control {
         let is_new = lock != self.before.machine_lock;
         if !self.cnc.set_machine_lock(lock) && is_new && self.cnc.is_under_way() {
             // It comes and goes once the program has ended: nobody is to think that the axes are locked.
-            self.event(Event::Refused {
-                alarm: AlarmInfo::of(&Alarm::core(Fault::ControlBusy, Span::default())),
-            });
+            self.event(Event::Refused { alarm: AlarmInfo::of(&alarm(Fault::ControlBusy)) });
         }
         self.cnc.set_may_move(may);
         // What took the permission may have stopped the spindle.

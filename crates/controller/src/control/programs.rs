@@ -1,7 +1,7 @@
 //! Which program runs: that of AUTO from the memory, what the operator typed in MDI, what comes from outside in DNC.
 
 use super::callable::Prepared;
-use super::{Control, library};
+use super::{Control, alarm, library};
 use crate::signals::Mode;
 use ferrocut_interpreter::Interpreter;
 use ferrocut_machine::{Alarm, Fault};
@@ -43,10 +43,6 @@ impl Loaded {
             Loaded::Measuring => Some(Mode::Auto),
         }
     }
-}
-
-fn alarm(fault: Fault) -> Alarm {
-    Alarm::core(fault, Span::default())
 }
 
 impl Control {

@@ -47,7 +47,7 @@ pub fn run(args: &TraceArgs) -> Result<Exit, Failure> {
 /// What was passed over in a drawing, as text for the operator (Weihong PLT jobs).
 fn message(shop: &Shop, note: &Alarm, programs: &ProgramMemory) -> Step {
     let text = shop.diagnostics.message(note, Some(programs));
-    Step { op: Op::Message(text.into()), span: note.span, block: 0, section: 0, main_line: 0 }
+    Step::new(Op::Message(text.into()), note.span, 0)
 }
 
 /// Writes steps to the end or to the first alarm, which is returned.

@@ -124,9 +124,7 @@ impl Profile {
             let op = element.op();
             let end = op.target().copied().unwrap_or(at);
             stage
-                .push(at, Step { op, span, block: 0, section: 0, main_line: 0 }, request, |_, step| {
-                    made.extend(Element::of(&step.op))
-                })
+                .push(at, Step::new(op, span, 0), request, |_, step| made.extend(Element::of(&step.op)))
                 .map_err(|(_, span)| ProfileError::Corner(span))?;
             at = end;
         }
