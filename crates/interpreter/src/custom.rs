@@ -6,7 +6,7 @@
 //! code is the built-in one.
 
 use crate::Fallible;
-use crate::cycles::CycleState;
+use crate::cycles::{CycleKind, CycleState};
 use crate::dialect::{CustomPrograms, GCode, MCode, MFunction, Meaning};
 use crate::execute::{Part, Rest};
 use crate::interpreter::Interpreter;
@@ -28,6 +28,19 @@ static ROWS: [MCode; MOST] = {
     let mut code = 0;
     while code < MOST {
         rows[code].code = code as u16;
+        code += 1;
+    }
+    rows
+};
+
+/// Rows of G codes that no table has: cycles that the shop made.
+static CYCLES: [GCode; MOST] = {
+    let row =
+        GCode { tenths: 0, meaning: Meaning::Cycle(CycleKind::Own), group: Group::Cycle, group_number: 0 };
+    let mut rows = [row; MOST];
+    let mut code = 0;
+    while code < MOST {
+        rows[code].tenths = 10 * code as u16;
         code += 1;
     }
     rows
@@ -104,13 +117,19 @@ impl CustomCodes {
     }
 
     /// The whole number of a code.
-    pub(crate) fn whole(value: f64) -> Option<u16> {
+    fn whole(value: f64) -> Option<u16> {
         (value.fract() == 0.0 && (0.0..MOST as f64).contains(&value)).then_some(value as u16)
     }
 
-    /// Whether a program stands for a G code.
-    pub(crate) fn has_g(&self, code: u16) -> bool {
+    fn has_g(&self, code: u16) -> bool {
         self.g.get(usize::from(code)).copied().unwrap_or(false)
+    }
+
+    /// The row of a G code that no table has and a program stands for: it repeats like the canned cycle that the manual
+    /// says such programs are for (Weihong 4.3, "custom canned cycles").
+    pub(crate) fn g_code(&self, value: f64) -> Option<&'static GCode> {
+        let code = CustomCodes::whole(value).filter(|code| self.has_g(*code))?;
+        CYCLES.get(usize::from(code))
     }
 
     fn has_m(&self, code: u16) -> bool {
@@ -235,6 +254,7 @@ impl Interpreter {
         let place = of_cycle.then(|| self.place_of_next_hole());
         let data = of_cycle.then(|| self.cycle.data());
         // I, J and K of a figure say where its holes are, of which each is a call by itself.
+        let is_own = self.cycle_kind() == Some(CycleKind::Own);
         let in_figure = of_cycle && self.cycle.is_in_figure();
         for (letter, variable) in programs.arguments {
             let word = self.words.get(*letter);
@@ -245,7 +265,7 @@ impl Interpreter {
                 (b'P', Some(data)) => data.p.map(|p| p / self.rules.dwell_p_unit_s),
                 (b'I' | b'J', _) if in_figure => None,
                 (b'K', _) if in_figure => Some(1.0),
-                (b'K', Some(_)) => Some(self.repeats()),
+                (b'K', Some(_)) if !is_own => Some(self.repeats()),
                 (b'F', _) => word.or(Some(self.technology.feed_per_minute / unit)),
                 (b'X' | b'Y' | b'Z', _) => {
                     let axis = Axis::from_letter(*letter).unwrap_or(Axis::X);

@@ -437,7 +437,6 @@ impl Interpreter {
 
     /// Puts the block's modal codes in force.
     fn modal_codes(&mut self, codes: &mut Codes) -> Fallible<()> {
-        codes.custom = self.words.custom.map(|(number, span)| (Custom::G(number), span));
         let mut motion = false;
         let mut cycle = None;
         let mut length = None;

@@ -126,8 +126,6 @@ pub(crate) struct Words {
     pub sequence_of_data: bool,
     /// A word with a comma before it: letter, value, span.
     pub comma: Option<(u8, f64, Span)>,
-    /// A G code that the control does not have, and a program stands for.
-    pub custom: Option<(u16, Span)>,
     /// Words with text, and those of several letters.
     long: SmallVec<[LongWord; 2]>,
     /// Letters that belong to a code of this block, behind it.
@@ -154,7 +152,6 @@ impl Words {
             sequence: None,
             sequence_of_data: false,
             comma: None,
-            custom: None,
             long: SmallVec::new(),
             owned: 0,
             own: WordValues::default(),
@@ -187,7 +184,6 @@ impl Words {
         self.sequence = None;
         self.sequence_of_data = false;
         self.comma = None;
-        self.custom = None;
         self.long.clear();
         self.owned = 0;
         self.own.present = 0;
@@ -565,11 +561,8 @@ impl Reader<'_> {
         let row = (tenths >= 0.0 && tenths.fract() == 0.0)
             .then(|| self.tables.g.get(tenths as usize).copied().flatten())
             .flatten();
-        let Some(row) = row else {
-            let number = CustomCodes::whole(value).filter(|n| self.custom.is_some_and(|c| c.has_g(*n)));
-            let Some(number) = number else { return Err(self.alarm(Fault::UnknownGCode, word)) };
-            words.custom = Some((number, self.page.word_span(self.block, word)));
-            return Ok(());
+        let Some(row) = row.or_else(|| self.custom?.g_code(value)) else {
+            return Err(self.alarm(Fault::UnknownGCode, word));
         };
         let row = self.one_way.filter(|_| row.meaning == Meaning::OneWay).unwrap_or(row);
         let same_group = |c: &Code<GCode>| c.row.group == row.group;

@@ -520,6 +520,25 @@ fn programs_stand_for_codes() {
             "",
             &["rapid Z5", "rapid X3 Y4", "end M30"],
         ),
+        // It repeats as a cycle does: at every place, with the levels that were given, until another code ends it.
+        (
+            "G77 X3 Z-2 I4 K8\nX5 Y6\nM08\nG80\nX1\nG77\nG00 Y2\nM30\nO677\nX=#FC1 Y=#FC2 Z=#FC3+#FC9+#FC11\nM17",
+            "",
+            &[
+                "rapid Z10",
+                "rapid X3",
+                "rapid X5 Y6",
+                "rapid Z-2",
+                "coolant on",
+                "rapid X1",
+                "rapid Z0",
+                "rapid Y2",
+                "coolant off",
+                "end M30",
+            ],
+        ),
+        // It is no canned cycle of the plane XY.
+        ("G18 G77\nM30\nO677\nX4\nM17", "", &["rapid X4", "end M30"]),
         // The code of the program itself is the built-in one, also a level deeper.
         ("G04 P100\nM30\nO604\nG65 P5\nM17\nO5\nG04 P=#FC6*2\nM17", "", &["dwell 0.2s", "end M30"]),
         // Levels of a cycle are levels, also with G91; the cycle stays in force behind its program.
@@ -584,6 +603,8 @@ fn programs_break_rules() {
         ("G65 P1\nM30\nO1\nG68 R1\nG65 P1 L1\nM17", "", Fault::CallsTooDeep, "P1"),
         ("G65 P1 L999\nM30\nO1\nG68 R1\nM17", "", Fault::TooManyTransforms, "G68"),
         ("G53 G02 X1 R1 F9\nM30", "", Fault::ArcInMachine, "G53 G02 X1 R1 F9"),
+        // In its own program it is what the control has.
+        ("G77\nM30\nO677\nG77 X1\nM17", "", Fault::UnknownGCode, "G77"),
         ("M901 LEVEL1\nM30", "", Fault::WordMissing, "M901"),
         ("G904 FX9 LX1\nM30", "", Fault::WordMissing, "G904"),
         ("G904 FX0 PX1 LX1\nM30", "", Fault::FeedOutOfRange, "FX0"),

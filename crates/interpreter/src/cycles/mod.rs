@@ -110,6 +110,8 @@ pub enum CycleKind {
     },
     /// One whose parameters stand behind its code, with a zone of influence.
     Words(&'static zone::WordFormat),
+    /// A program of the shop for a code that the control lacks.
+    Own,
 }
 
 impl CycleKind {
@@ -126,7 +128,7 @@ impl CycleKind {
     pub(crate) fn takes_p(self) -> bool {
         match self {
             CycleKind::Hole(hole) => hole.dwell,
-            CycleKind::Tap { .. } | CycleKind::FineBore | CycleKind::BackBore => true,
+            CycleKind::Tap { .. } | CycleKind::FineBore | CycleKind::BackBore | CycleKind::Own => true,
             CycleKind::Mill { .. } => false,
             CycleKind::Words(format) => format.letters.contains(&b'P'),
         }
@@ -284,10 +286,11 @@ impl Interpreter {
 
     /// A block while a cycle is in force.
     pub(crate) fn cycle_block(&mut self, axes: AxisSet, length: Option<Meaning>) -> Fallible<()> {
-        if self.modal.plane() != Plane::Xy && !self.rules.cycles.in_any_plane {
+        let is_own = self.cycle_kind() == Some(CycleKind::Own);
+        if self.modal.plane() != Plane::Xy && !self.rules.cycles.in_any_plane && !is_own {
             return Err(self.alarm(Fault::CyclePlane, self.cycle_span()));
         }
-        if self.is_nested_on_z() {
+        if self.is_nested_on_z() && !is_own {
             return Err(self.alarm(Fault::CycleScaled, self.cycle_span()));
         }
         self.leave_tool_axis_unscaled();
@@ -300,7 +303,9 @@ impl Interpreter {
         self.store_mill_words();
         let level_cuts =
             !(self.rules.cycles.boring_needs_axis && self.cycle_kind().is_some_and(CycleKind::bores));
-        if axes.is_empty() && !(level_cuts && self.words.has_any(LEVEL_LETTER)) {
+        // A program of the shop is run by its code, whatever words stand there.
+        let is_called = is_own && self.words.g.iter().any(|code| code.row.group == Group::Cycle);
+        if axes.is_empty() && !is_called && !(level_cuts && self.words.has_any(LEVEL_LETTER)) {
             // Nothing to cut; a change of tool length alone is made at once (GSK990MC 4.4.1 note 3).
             if self.length_words(length, axes)? {
                 self.rapid(self.location.programmed)?;
@@ -316,7 +321,8 @@ impl Interpreter {
                 if taps && self.taps_rigidly() { Fault::TappingNoSpeed } else { Fault::CycleNoSpindle };
             return Err(self.alarm(fault, self.cycle_span()));
         }
-        let repeats = self.repeats();
+        // What K is there, the program says.
+        let repeats = if is_own { 1.0 } else { self.repeats() };
         if repeats.fract() != 0.0 && !self.rules.counts_take_any_number {
             return Err(self.alarm_at(Fault::WordNotWhole, self.rules.cycles.repeat_letter));
         }
@@ -379,6 +385,8 @@ impl Interpreter {
             Some(CycleKind::FineBore) => self.fine_bore(),
             Some(CycleKind::BackBore) => self.back_bore(),
             Some(CycleKind::Mill { shape, turn }) => self.mill(shape, turn),
+            // Within its program the code is what the control has for it: nothing.
+            Some(CycleKind::Own) => Err(self.alarm(Fault::UnknownGCode, self.cycle_span())),
             Some(CycleKind::Words(_)) | None => Ok(()),
         };
         if let Err(alarm) = done {
