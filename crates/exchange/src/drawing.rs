@@ -129,9 +129,11 @@ impl Drawing {
         Ok(())
     }
 
-    /// Whether anything is cut.
+    /// Whether there is nothing to do: nothing is cut, and no way of a raised pen is all that was asked for.
     pub fn is_empty(&self) -> bool {
-        !self.moves.iter().any(|m| matches!(m.action, Action::Cut(_) | Action::Lower))
+        let cuts = self.moves.iter().any(|m| matches!(m.action, Action::Cut(_) | Action::Lower));
+        let goes = self.moves.iter().any(|m| matches!(m.action, Action::Travel(_)));
+        !cuts && (!goes || self.layers.iter().any(|layer| layer.cutting.is_none()))
     }
 }
 

@@ -103,7 +103,7 @@ impl Reader<'_> {
             b"AA" | b"AR" => {
                 let ([x, y, angle, _], span) = self.values(span, 3..=4)?;
                 let center = self.point([x, y], name == b"AR", span)?;
-                self.arc(center, angle.clamp(-360.0, 360.0), span)
+                self.arc(center, angle, span)
             }
             b"CI" => {
                 let ([radius, ..], span) = self.values(span, 1..=2)?;
@@ -263,11 +263,16 @@ impl Reader<'_> {
         self.drawing.cut(curve, self.settings.tolerance - ROUNDING, self.pen, span, &self.limits)
     }
 
-    /// An arc from the present point about a centre. With the pen up it is a way to its end.
+    /// An arc from the present point about a centre. With the pen up it is a way to its end. One of more than a turn is a
+    /// circle and what is left: a second time round cuts nothing.
     fn arc(&mut self, center: Point, degrees: f64, span: Span) -> Result<(), Box<Alarm>> {
         let arm = sub(self.at, center);
         if arm == [0.0; 2] || degrees == 0.0 {
             return Ok(());
+        }
+        if degrees.abs() > 360.0 {
+            self.arc(center, 360.0_f64.copysign(degrees), span)?;
+            return self.arc(center, degrees % 360.0, span);
         }
         if degrees.abs() == 360.0 {
             if !self.is_down {
@@ -551,6 +556,15 @@ mod tests {
         assert_eq!(second.bend, Some(Bend { center: [-10.0, 10.0], sweep: -PI }));
         // With the pen up one way to the end.
         assert_eq!(actions("PU400,0;AA0,0,90").last(), Some(&Travel([0.0, 10.0])));
+        // More than a turn goes round and on.
+        let moves = actions("PU400,0;PD;AA0,0,-450;");
+        let sweeps: Vec<_> = moves
+            .iter()
+            .filter_map(
+                |m| if let Cut(curve) = m { curve.bend.map(|bend| (curve.to, bend.sweep)) } else { None },
+            )
+            .collect();
+        assert_eq!(sweeps, [([10.0, 0.0], -2.0 * PI), ([0.0, -10.0], -FRAC_PI_2)]);
     }
 
     #[test]
@@ -619,6 +633,16 @@ mod tests {
                 (Raise, None)
             ]
         );
+    }
+
+    #[test]
+    fn a_raised_pen_may_be_all_that_moves() {
+        assert!(!drawing("IN;SP1;PU400,400;PR-40,-80;").is_empty());
+        assert!(drawing("IN;SP1;PU;").is_empty());
+        // What a pen would cut that is left out is no way of its own.
+        let left_out = crate::settings::Change { skip: true, ..Default::default() };
+        let settings = Settings { pens: vec![("1".into(), left_out)], ..Settings::default() };
+        assert!(read(b"SP1;PU400,400;PD0,0;", FileId(1), &settings).unwrap().is_empty());
     }
 
     #[test]

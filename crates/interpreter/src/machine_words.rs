@@ -11,6 +11,7 @@ use ferrocut_geometry::{Axis, Position};
 use ferrocut_machine::Fault;
 use ferrocut_program::Span;
 use ferrocut_toolpath::{Feed, Op, Port};
+use smallvec::SmallVec;
 
 /// Numbers of M802 that the manual names.
 mod internal {
@@ -183,7 +184,8 @@ impl Interpreter {
     /// Axes that are programmed together move one after the other here, since each ends by a signal of its own.
     pub(crate) fn move_until_input(&mut self, span: Span) -> Fallible<()> {
         let inch = self.inch_axes();
-        let mut any = false;
+        // Nothing moves where a word is missing of any axis.
+        let mut moves = SmallVec::<[_; AXES.len()]>::new();
         for (axis, feed, port, level) in AXES {
             let given = [feed, port, level].map(|letter| self.words.has_long(letter));
             let distance = self.words.get(axis.letter() as u8);
@@ -209,13 +211,15 @@ impl Interpreter {
                 return Err(self.alarm(Fault::InputMissing, span));
             }
             let signal = Signal { port, is_off: self.words.long(level) == Some(0.0) };
+            moves.push((axis, speed, distance, signal));
+        }
+        if moves.is_empty() {
+            return Err(self.missing("FX", span));
+        }
+        for (axis, speed, distance, signal) in moves {
             self.move_axis_until(axis, speed, distance, signal, span)?;
-            any = true;
         }
-        match any {
-            true => self.emit_barrier(),
-            false => Err(self.missing("FX", span)),
-        }
+        self.emit_barrier()
     }
 
     fn move_axis_until(

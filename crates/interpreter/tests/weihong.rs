@@ -638,6 +638,14 @@ fn programs_break_rules() {
     }
 }
 
+/// 4.4, G904: words of an axis are whole; where one of them is not, no other moves before that is told.
+#[test]
+fn an_axis_without_its_words_keeps_all_at_rest() {
+    let (steps, alarm) = run_on(&DIALECT, "G904 FX-60 PX2 LX1 FY10 X50 Y5\nM30", "");
+    let moves = steps.iter().any(|step| matches!(step.op, ferrocut_toolpath::Op::Skip { .. }));
+    assert_eq!((moves, alarm.unwrap().fault), (false, Fault::WordMissing));
+}
+
 /// 4.4, M802: its numbers for the control itself, and any other for the machine.
 #[test]
 fn a_number_is_for_the_control_or_for_the_machine() {

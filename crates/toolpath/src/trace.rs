@@ -16,11 +16,18 @@ const VISIBLE: f64 = 1e-6;
 /// When the buffer is handed on to the writer.
 const FLUSH_AT: usize = 1 << 16;
 
+/// Whether a trace shows a change from `b` to `a`.
+fn differs(a: &Position, b: &Position) -> bool {
+    Axis::ALL.into_iter().any(|axis| (a[axis] - b[axis]).abs() >= VISIBLE)
+}
+
 /// Writes steps to `W` as JSON lines.
 pub struct TraceWriter<W: Write> {
     out: W,
     line: Vec<u8>,
     at: Position,
+    /// What was shown of them last: an axis that was given another place without being moved is behind.
+    shown: Position,
     main: FileId,
     file_names: Vec<Box<str>>,
     axis_names: AxisNames,
@@ -33,6 +40,7 @@ impl<W: Write> TraceWriter<W> {
             out,
             line: Vec::with_capacity(FLUSH_AT + 4096),
             at: start,
+            shown: start,
             main: FileId(0),
             file_names: Vec::new(),
             axis_names: AxisNames::default(),
@@ -150,9 +158,12 @@ impl<W: Write> TraceWriter<W> {
 
     /// Writes `to` and remembers it; false if no coordinate changed visibly.
     fn to(&mut self, to: &Position) -> bool {
+        if !differs(to, &self.at) {
+            return false;
+        }
         let mut any = false;
         for axis in Axis::ALL {
-            if (to[axis] - self.at[axis]).abs() >= VISIBLE {
+            if (to[axis] - self.shown[axis]).abs() >= VISIBLE {
                 self.line.extend_from_slice(if any { b",\"" } else { b",\"to\":{\"" });
                 any = true;
                 self.line.extend(self.axis_names.name(axis).bytes());
@@ -162,7 +173,7 @@ impl<W: Write> TraceWriter<W> {
         }
         if any {
             self.line.push(b'}');
-            self.at = *to;
+            (self.at, self.shown) = (*to, *to);
         }
         any
     }
@@ -312,7 +323,7 @@ impl<W: Write> TraceWriter<W> {
                 }
             }
             Op::Datum { at } => {
-                // No axis is commanded anything; the next move shows the new position of each that it moves.
+                // No axis is commanded anything; the next move shows the new position.
                 self.at = *at;
                 return false;
             }
@@ -473,6 +484,22 @@ mod tests {
             "{\"op\":\"m\",\"code\":10,\"line\":7}\n\
              {\"op\":\"m\",\"code\":802,\"p\":196611,\"line\":7}\n\
              {\"op\":\"m\",\"code\":903,\"p\":4,\"line\":7}\n"
+        );
+    }
+
+    #[test]
+    fn an_axis_with_a_new_position_is_named_by_the_next_move() {
+        let mut out = Vec::new();
+        let mut trace = TraceWriter::new(&mut out, Position::xyz(1.0, 6.0, 0.0));
+        let rapid = |to| Op::Rapid { to, straight: true, speed: None, path: PathMode::ON_PATH };
+        let renamed = Position::xyz(1.0, 0.0, 0.0);
+        for op in [Op::Datum { at: renamed }, rapid(renamed), rapid(Position::xyz(3.0, 0.0, 0.0))] {
+            trace.step(&Step::new(op, Span { line: 1, ..Span::default() }, 0)).unwrap();
+        }
+        trace.finish().unwrap();
+        assert_eq!(
+            String::from_utf8(out).unwrap(),
+            "{\"op\":\"rapid\",\"to\":{\"x\":3,\"y\":0},\"line\":1}\n"
         );
     }
 
