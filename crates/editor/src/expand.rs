@@ -4,7 +4,7 @@
 //! increments. The first block goes to the safety plane, which by its meaning is free everywhere (4.1.2), so that
 //! the text may stand behind any block.
 
-use crate::run::xyz;
+use crate::run::{feed_a_minute, xyz};
 use crate::style::Style;
 use ferrocut_geometry::{Plane, Turn};
 use ferrocut_interpreter::Rules;
@@ -187,10 +187,7 @@ impl<'a> Writer<'a> {
     }
 
     fn per_minute(&self, feed: Feed) -> Result<f64, Unwritten> {
-        match feed {
-            Feed::PerMinute(feed) | Feed::Held { at: feed, .. } => Ok(feed),
-            Feed::PerRevolution(_) | Feed::Duration(_) => Err(Unwritten::Other),
-        }
+        feed_a_minute(feed, self.spindle).ok_or(Unwritten::Other)
     }
 
     /// A number with a decimal point, whatever the control takes numbers without one for.

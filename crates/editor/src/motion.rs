@@ -1,7 +1,7 @@
 //! What a run does, in a form in which two texts of different languages can be compared: moves that go on in the
 //! same direction are one, moves of no length none, and each cut knows how the spindle turns.
 
-use crate::run::xyz;
+use crate::run::{feed_a_minute, xyz};
 use ferrocut_geometry::{Plane, Position, Turn};
 use ferrocut_toolpath::{Dwell, Feed, FeedAlong, Op, SpindleState, Step};
 
@@ -82,12 +82,9 @@ fn is_between(a: [f64; 3], b: [f64; 3], c: [f64; 3]) -> bool {
 /// A feed in mm/min along the path, with the spindle's speed for feeds a turn.
 fn per_minute(feed: Feed, length: f64, spindle: SpindleState) -> f64 {
     match feed {
-        Feed::PerMinute(feed) | Feed::Held { at: feed, .. } => feed,
-        Feed::PerRevolution(feed) => match spindle.speed() {
-            Some(ferrocut_toolpath::Speed::Rpm(rpm)) => feed * rpm,
-            _ => feed,
-        },
         Feed::Duration(seconds) => length / seconds * 60.0,
+        Feed::PerRevolution(turn) => feed_a_minute(feed, Some(spindle)).unwrap_or(turn),
+        Feed::PerMinute(minute) | Feed::Held { at: minute, .. } => minute,
     }
 }
 

@@ -6,7 +6,7 @@
 
 use crate::expand::Writer;
 use crate::request::{Request, Value};
-use crate::run::xyz;
+use crate::run::{feed_a_minute, xyz};
 use crate::style::{HoleWords, Style};
 use ferrocut_interpreter::Rules;
 use ferrocut_toolpath::{Op, Step};
@@ -33,8 +33,11 @@ impl Holes {
     pub fn of(steps: &[Step], safety: f64) -> Option<Holes> {
         let mut holes =
             Holes { at: Vec::new(), reference: 0.0, bottom: safety, safety, feed: 0.0, pitch: None };
-        let mut level = None;
+        let (mut level, mut spindle) = (None, None);
         for step in steps {
+            if let Op::Spindle(state) = &step.op {
+                spindle = Some(*state);
+            }
             let Some(target) = step.op.target() else { continue };
             let [x, y, z] = xyz(target);
             match &step.op {
@@ -45,7 +48,7 @@ impl Holes {
                         holes.reference = level?;
                     }
                     match &step.op {
-                        Op::Feed { feed, .. } => holes.feed = feed.per_minute()?,
+                        Op::Feed { feed, .. } => holes.feed = feed_a_minute(*feed, spindle)?,
                         Op::Tap { pitch, .. } => holes.pitch = Some(pitch.abs()),
                         _ => return None,
                     }

@@ -6,7 +6,7 @@ use ferrocut_geometry::{Axis, Position};
 use ferrocut_interpreter::{Dialect, Interpreter, Options};
 use ferrocut_machine::{Alarm, Memory, ToolOffset, WorkOffset};
 use ferrocut_program::{ProgramMemory, Text};
-use ferrocut_toolpath::{Op, Step};
+use ferrocut_toolpath::{Feed, Op, Speed, SpindleState, Step};
 
 /// Steps of one cycle at most: text of a few megabytes.
 pub const MOST_STEPS: usize = 200_000;
@@ -109,6 +109,14 @@ pub fn run(
         }
     }
     ran
+}
+
+/// A feed in mm/min, one a turn at the spindle's speed; none where it is told neither way.
+pub fn feed_a_minute(feed: Feed, spindle: Option<SpindleState>) -> Option<f64> {
+    match (feed, spindle.and_then(|spindle| spindle.speed())) {
+        (Feed::PerRevolution(feed), Some(Speed::Rpm(rpm))) => Some(feed * rpm),
+        _ => feed.per_minute(),
+    }
 }
 
 /// Its X, Y and Z; no cycle here moves another axis.

@@ -200,7 +200,13 @@ impl Interpreter {
                 self.add_figure(figure, section);
                 Ok(())
             }
-            Directive::Profile => self.begin_profile(page, second, arguments, span),
+            Directive::Profile => {
+                let plane = match (names.get(2), arguments.first()) {
+                    (Some(plane), _) => Some(plane.clone()),
+                    (None, argument) => argument.map(|a| self.text_of(page, a.text)),
+                };
+                self.begin_profile(second, plane.map(|plane| plane.to_ascii_uppercase()).as_deref(), span)
+            }
             Directive::EndProfile => self.end_profile(span),
             Directive::Message => {
                 let text = arguments.first().map(|a| self.text_of(page, a.text)).unwrap_or_default();
@@ -208,10 +214,9 @@ impl Interpreter {
                 Ok(())
             }
             Directive::NoEffect => Ok(()),
-            Directive::OtherCycles if second.eq_ignore_ascii_case("OFF") => Ok(()),
             Directive::OtherCycles => {
-                let alarm = self.alarm(Fault::NotSupported, span);
-                Err(Box::new(alarm.with("word", format!("#{first} {second}"))))
+                self.described.other_cycles = !second.eq_ignore_ascii_case("OFF");
+                Ok(())
             }
         }
     }
@@ -282,12 +287,15 @@ impl Interpreter {
         Ok(value.filter(|value| value.is_finite()))
     }
 
-    /// `[x, y]`, or with a corner `[x, y, round, 5]`.
+    /// `[x, y]`, or with a corner `[x, y, round, 5]`; `[x, y, sharp]` is the same as none.
     fn point_argument(&mut self, page: &Page, argument: &Argument) -> Result<Option<Entry>, Fault> {
         let inch = self.modal.is_inch();
         let items = page.list(argument);
         let (x, y, corner) = match items {
             [x, y] => (x, y, None),
+            [x, y, kind] | [x, y, kind, _] if self.text_of(page, kind.text).eq_ignore_ascii_case("sharp") => {
+                (x, y, None)
+            }
             [x, y, kind, size] => (x, y, Some((kind, size))),
             _ => return Ok(None),
         };
@@ -354,9 +362,8 @@ impl Interpreter {
         self.set_tool_axes(axes)
     }
 
-    fn begin_profile(&mut self, page: &Page, name: &str, arguments: &[Argument], span: Span) -> Fallible<()> {
-        let axes = arguments.first().map(|a| self.text_of(page, a.text).to_ascii_uppercase());
-        let (letters, centers, axes) = match axes.as_deref() {
+    fn begin_profile(&mut self, name: &str, plane: Option<&str>, span: Span) -> Fallible<()> {
+        let (letters, centers, axes) = match plane {
             None | Some("XY") => (*b"XY", *b"IJ", ProfileAxes::Plane),
             Some("XZ") => (*b"XZ", *b"IK", ProfileAxes::Depth(0)),
             Some("YZ") => (*b"YZ", *b"JK", ProfileAxes::Depth(1)),

@@ -313,6 +313,49 @@ fn rigid_tapping_of_several_points_orients_once() {
     assert_eq!(found.iter().filter(|line| line.starts_with("tap")).count(), 6, "{found:?}");
 }
 
+/// 4.6.1: a dwell has the spindle stopped, M05, whatever turned it; a feed a turn is one.
+#[test]
+fn a_tapped_hole_is_dwelt_in_with_the_spindle_stopped() {
+    let tapped = |words: &str| {
+        let program =
+            format!("#CYCLE G284 [X=3, Y=4, Z=0, ZS=5, P=12, t=0.5, F=1.5, S=100, T=1, {words}]\nM30");
+        let found = lines_on(&DIALECT, &program, "");
+        let at = found.iter().position(|line| line.contains("Z-12")).unwrap();
+        found[at..at + 4].to_vec()
+    };
+    assert_eq!(
+        tapped("type=rigid, feedtype=rev"),
+        ["tap 1.5 at 100 Z-12", "spindle off", "dwell 0.5s", "tap 1.5 at 100 Z1"]
+    );
+    assert_eq!(
+        tapped("type=float, feedtype=rev"),
+        ["feed Z-12 1.5/rev", "spindle off", "dwell 0.5s", "spindle ccw 100"]
+    );
+}
+
+/// 4.20: each of the points has an icon of its corner, of which sharp is one.
+#[test]
+fn a_sharp_corner_is_no_corner() {
+    let found = |point: &str| {
+        let points = format!("P1=[10,0], P2={point}, P3=[50,30], P4=[50,30]");
+        let head = format!("#CYCLE G293 [X1=0, Y1=0, {points}, Z=0, ZS=5, P=6]");
+        moves(&format!("{head}\n#ROUGH [I=-6, F=100, S=1000, T=1, D=1]\nM30"), "[tools.1]\nradius = 3\n")
+    };
+    for point in ["[50,0,sharp]", "[50,0,Sharp,0]"] {
+        assert_eq!(found(point), found("[50,0]"));
+    }
+    assert_ne!(found("[50,0,round,5]"), found("[50,0]"));
+}
+
+/// 1.1: the turning cycles of a combined machine have the same codes, and hold until they are switched off.
+#[test]
+fn turning_cycles_are_switched_on_and_off() {
+    let drilled = "S1000 M3 F100\nG0 X0 Y0 Z20\n#LATHECY ON\n#LATHECY OFF\nG99 G81 X10 Z2 I-5\nM30";
+    assert!(moves(drilled, "").contains(&"feed Z-5 F100".into()));
+    let (_, alarm) = run_on(&DIALECT, "S1000 M3 F100\n#LATHECY ON\nG0 X1\nG81 X10 Z2 I-5\nM30", "");
+    assert_eq!(alarm.map(|alarm| (alarm.fault, alarm.span.line)), Some((Fault::NotSupported, 4)));
+}
+
 /// 4.19.1, 4.22.1: roughing ends over its start, finishing on the safety plane where it is.
 #[test]
 fn finishing_a_face_does_not_go_back_to_its_start() {

@@ -251,7 +251,11 @@ fn a_sloping_wall() {
     let rough = "#ROUGH [T=1, S=1000, F=600, FZ=100, I1=5, step=6]\n";
     let semi = "#SEMI [T=1, S=1000, F=400, I2=2.5]\n";
     let finish = "#FINISH [T=4, S=2000, F=300, delta=0.2, eps=2, wall=zigzag]\n";
+    // The axes may stand without brackets.
+    let bare =
+        self::steps(&format!("{RECTANGLE}{}{MAIN_3D}{rough}{semi}{finish}", DEEP.replace("[XZ]", "xz")));
     let steps = steps(&format!("{RECTANGLE}{DEEP}{MAIN_3D}{rough}{semi}{finish}"));
+    assert!(bare.iter().map(|step| &step.op).eq(steps.iter().map(|step| &step.op)));
     let of = |feed: f64| -> Vec<_> { cuts(&steps).into_iter().filter(|c| c.2 == feed).collect() };
     let low = |feed: f64, z: f64| {
         of(feed)

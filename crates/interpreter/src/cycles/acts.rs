@@ -9,6 +9,15 @@ use ferrocut_geometry::{Plane, Position, Turn};
 use ferrocut_machine::Fault;
 use ferrocut_toolpath::{Dwell, Feed, FeedAlong, Op, SpindleState};
 
+/// What the feeds of an operation are measured by.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum FeedUnit {
+    /// mm/min.
+    Minute,
+    /// mm a turn of the spindle.
+    Turn,
+}
+
 /// Acts of an operation that are made at a time.
 const PORTION: u32 = 50_000;
 
@@ -27,10 +36,16 @@ impl Interpreter {
         to
     }
 
-    /// Makes an operation at a point. Its feeds are mm/min, or with `per_minute` false as F is.
-    pub(crate) fn make(&mut self, operation: &Operation, at: [f64; 2], per_minute: bool) -> Fallible<()> {
+    /// What F is measured by.
+    fn unit_of_feed(&self) -> FeedUnit {
+        if self.modal.is_feed_per_revolution() { FeedUnit::Turn } else { FeedUnit::Minute }
+    }
+
+    /// Makes an operation at a point. Its feeds are measured as F is.
+    pub(crate) fn make(&mut self, operation: &Operation, at: [f64; 2]) -> Fallible<()> {
         let from = self.in_plane_axes();
-        operation.run(at, from, &mut |act| self.act(act, per_minute))
+        let unit = self.unit_of_feed();
+        operation.run(at, from, &mut |act| self.act(act, unit))
     }
 
     /// Makes what follows the first `made` acts of an operation that began at `from`, up to as many as fit
@@ -41,6 +56,7 @@ impl Interpreter {
         at: [f64; 2],
         from: [f64; 3],
         made: u32,
+        unit: FeedUnit,
     ) -> Fallible<Option<u32>> {
         let until = made.saturating_add(PORTION);
         let mut number = 0u32;
@@ -49,7 +65,7 @@ impl Interpreter {
             match number {
                 _ if number <= made => Ok(()),
                 _ if number > until => Err(None),
-                _ => self.act(act, true).map_err(Some),
+                _ => self.act(act, unit).map_err(Some),
             }
         });
         match done {
@@ -59,17 +75,17 @@ impl Interpreter {
         }
     }
 
-    fn act(&mut self, act: Act, per_minute: bool) -> Fallible<()> {
+    fn act(&mut self, act: Act, unit: FeedUnit) -> Fallible<()> {
         // Cutter compensation is left aside in cycles, which know the tool's radius themselves.
         self.output.suspend_cutter();
         match act {
             Act::Rapid { to } => self.rapid(self.plane_point(to)),
             Act::Feed { to, feed } => {
-                let (to, feed) = (self.plane_point(to), self.feed_of(feed, per_minute));
+                let (to, feed) = (self.plane_point(to), feed_of(feed, unit));
                 self.cut_at(to, feed)
             }
             Act::Arc { to, center, sweep, feed } => {
-                let (to, feed) = (self.plane_point(to), self.feed_of(feed, per_minute));
+                let (to, feed) = (self.plane_point(to), feed_of(feed, unit));
                 self.arc_at(to, center, sweep, feed)
             }
             Act::Tap { to, pitch, rpm } => self.tap_at(self.plane_point(to), pitch, rpm),
@@ -78,7 +94,9 @@ impl Interpreter {
                 Ok(())
             }
             Act::Stop => {
-                self.spindle(SpindleState::Off);
+                // Said even where the program has it stopped: a tap in step may have turned it.
+                self.technology.spindle = SpindleState::Off;
+                self.emit(Op::Spindle(SpindleState::Off));
                 Ok(())
             }
             Act::Start(turn) => {
@@ -97,13 +115,6 @@ impl Interpreter {
     pub(crate) fn turn_spindle(&mut self, turn: Turn) {
         let speed = self.speed();
         self.spindle(SpindleState::turning(turn, speed));
-    }
-
-    fn feed_of(&self, feed: f64, per_minute: bool) -> Feed {
-        match !per_minute && self.modal.is_feed_per_revolution() {
-            true => Feed::PerRevolution(feed),
-            false => Feed::PerMinute(feed),
-        }
     }
 
     fn cut_at(&mut self, to: Position, feed: Feed) -> Fallible<()> {
@@ -171,7 +182,7 @@ impl Interpreter {
         let [_, _, level] = self.in_plane_axes();
         let to = self.plane_point([a, b, level]);
         self.output.suspend_cutter();
-        let feed = self.feed_of(feed, false);
+        let feed = feed_of(feed, self.unit_of_feed());
         match (travel, center) {
             (Travel::Rapid, _) => self.rapid(to),
             (Travel::Arc, Some(center)) => self.arc_at(to, center, degrees.to_radians(), feed),
@@ -187,5 +198,12 @@ impl Interpreter {
         let first = if (z - level) * up > 0.0 { [a, b, z] } else { [x, y, level] };
         self.rapid(self.plane_point(first))?;
         self.rapid(self.plane_point([a, b, level]))
+    }
+}
+
+fn feed_of(feed: f64, unit: FeedUnit) -> Feed {
+    match unit {
+        FeedUnit::Turn => Feed::PerRevolution(feed),
+        FeedUnit::Minute => Feed::PerMinute(feed),
     }
 }

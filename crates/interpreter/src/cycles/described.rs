@@ -10,6 +10,7 @@
 //! What a cycle's parameters are, and what they make, is the dialect's table; this file reads, keeps and
 //! runs it. All its moves carry the block of the cycle.
 
+use super::acts::FeedUnit;
 use super::operation::Operation;
 use super::parameter::WrongParameter;
 use super::pocket::KeptPockets;
@@ -228,6 +229,8 @@ pub struct Stage {
     pub m: [Option<f64>; 4],
     /// What is done.
     pub operation: Operation,
+    /// What its feeds are measured by.
+    pub unit: FeedUnit,
 }
 
 /// A cycle being collected.
@@ -258,6 +261,8 @@ pub(crate) struct Described {
     collected: Option<Box<Collected>>,
     running: Option<Box<Running>>,
     pub profiles: Profiles,
+    /// Codes of canned cycles are those of another kind of machine (`#LATHECY ON`).
+    pub other_cycles: bool,
 }
 
 impl Described {
@@ -450,7 +455,7 @@ impl Interpreter {
                 }
                 running.from = self.in_plane_axes();
             }
-            if let Some(made) = self.make_portion(operation, at, running.from, running.made)? {
+            if let Some(made) = self.make_portion(operation, at, running.from, running.made, stage.unit)? {
                 running.made = made;
                 return Ok(Some(running));
             }

@@ -6,7 +6,7 @@
 //! and bores, `tap` taps, `bore` has the borings that move the tool aside, [`milling`] pockets and walls,
 //! [`pocket`] pockets of any profile.
 
-mod acts;
+pub mod acts;
 pub mod area;
 mod bore;
 pub mod bore_milling;

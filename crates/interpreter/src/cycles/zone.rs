@@ -220,6 +220,11 @@ impl Interpreter {
         if (defines.is_some() || self.word_cycle().is_some()) && self.output.in_cutter_mode() {
             return Err(self.alarm(Fault::NotInCutter, self.cycle_span()));
         }
+        if defines.is_some() && self.described.other_cycles {
+            let code = self.words.g.iter().find(|code| code.row.group == Group::Cycle);
+            let word = code.map(|code| format!("G{}", code.row.tenths / 10)).unwrap_or_default();
+            return Err(Box::new(self.alarm(Fault::NotSupported, self.cycle_span()).with("word", word)));
+        }
         let moves = self.block_moves(axes);
         let repeats = self.words.long(long::NR).unwrap_or(1.0);
         if repeats.fract() != 0.0 || !(0.0..=MAX_REPEATS).contains(&repeats) {
@@ -348,7 +353,7 @@ impl Interpreter {
             self.turn_spindle(turn);
         }
         let [a, b, _] = self.in_plane_axes();
-        self.make(&operation, [a, b], false)
+        self.make(&operation, [a, b])
     }
 
     /// G160 to G165: the cycle in force on the points of a figure.

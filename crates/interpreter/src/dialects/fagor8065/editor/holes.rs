@@ -209,7 +209,7 @@ fn tapping(description: &Description<'_>) -> Made {
             let back = positive(main.given("KF").filter(|k| *k != 0.0).unwrap_or(1.0), "KF")?;
             Holder::Rigid { pitch: if per_turn { f } else { f / rpm }, rpm, back, orients_first: true }
         }
-        false => Holder::Floating { feed: if per_turn { f * rpm } else { f } },
+        false => Holder::Floating { feed: f },
     };
     let thread = TappedHole {
         reference: placed.planes.approach,
@@ -224,6 +224,8 @@ fn tapping(description: &Description<'_>) -> Made {
     if rigid {
         // 4.6.1: M19 first.
         made.turn = None;
+    } else if per_turn {
+        made.unit = FeedUnit::Turn;
     }
     plan(main, ["X", "Y"], &placed, vec![made])
 }

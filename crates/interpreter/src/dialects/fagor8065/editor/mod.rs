@@ -18,6 +18,7 @@ mod profiles;
 
 pub use positions::FIGURES;
 
+use crate::cycles::acts::FeedUnit;
 use crate::cycles::area::{CLEAR, Cut, Entry, Planes};
 use crate::cycles::depth::{Levels, MAX_LEVELS};
 use crate::cycles::described::{DescribedCycle, Description, Kind, Parameter, Part, Plan, Section, Stage};
@@ -260,6 +261,7 @@ fn stage(section: &Section, operation: Operation) -> Stage {
         turn: Some(turn(section, "spindle")),
         m: ["M1", "M2", "M3", "M4"].map(|name| section.given(name)),
         operation,
+        unit: FeedUnit::Minute,
     }
 }
 
