@@ -107,6 +107,7 @@ impl Interpreter {
                 self.note(alarm);
             }
             if !self.options.keep_going {
+                self.hand_out();
                 return Ok(());
             }
         }
@@ -136,7 +137,11 @@ impl Interpreter {
             return Ok(());
         }
         if !sound {
-            return if self.options.keep_going { self.recover() } else { Ok(()) };
+            if self.options.keep_going {
+                return self.recover();
+            }
+            self.hand_out();
+            return Ok(());
         }
         if self.waits_for_lock() {
             self.present = Present::Asked;

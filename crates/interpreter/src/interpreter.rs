@@ -623,10 +623,15 @@ impl Interpreter {
     /// An alarm ends the run: the moves before the block at fault are given out first.
     fn stop_by(&mut self, alarm: Box<Alarm>) {
         if !self.options.keep_going {
-            // What cannot be handed out any more is no second fault.
-            let _ = self.output.flush();
+            self.hand_out();
         }
         self.alarms.push_back(alarm);
+    }
+
+    /// Gives out the moves before a block at fault.
+    pub(crate) fn hand_out(&mut self) {
+        // What cannot be handed out any more is no second fault.
+        let _ = self.output.flush();
     }
 
     /// Whether steps, alarms or holes of the block run last are still to be given out.

@@ -536,7 +536,8 @@ impl Interpreter {
             let word_span = page.word_span(block, word);
             let Some(value) = self.word_value(page, block, word)? else { continue };
             match word.letter {
-                b'N' => {}
+                // Behind G65 it is one of the letters that are no argument (4.9.2, 4 note 1).
+                b'N' if !called => {}
                 b'G' if value == call => called = true,
                 // Arguments follow G65, and no other code is among them (table 4-9-2-5 notes 1 and 2).
                 b'G' => return Err(self.alarm(Fault::ArgumentAddress, word_span)),

@@ -4,7 +4,8 @@
 
 mod common;
 
-use common::{at_fault, lines, run};
+use common::{at_fault, lines, run, short};
+use ferrocut_geometry::Position;
 use ferrocut_interpreter::dialects::gsk990mc::DIALECT;
 use ferrocut_machine::{AlarmId, Fault};
 
@@ -96,6 +97,7 @@ const CASES: &[(Fault, u16, &str, &str, &str)] = &[
     (Fault::InvalidLoop, 126, "G0 X1\nWHILE[1EQ1]DO4\nEND4\nM30", "WHILE[1EQ1]DO4", ""),
     (Fault::SequenceMissing, 128, "G0 X1\nGOTO7\nM30", "GOTO7", ""),
     (Fault::ArgumentAddress, 129, "O1\nG0 X1\nG65 P1 O5\nM30", "O5", ""),
+    (Fault::ArgumentAddress, 129, "O1\nG0 X1\nN7 G65 P1 N5\nM30", "N5", ""),
     (Fault::JumpIntoLoop, 137, "G0 X1\nWHILE[1EQ2]DO1\nN5\nEND1\nGOTO5\nM30", "GOTO5", ""),
     (Fault::LoopMismatch, 138, "G0 X1\nWHILE[1EQ1]DO1\nX1\nM30", "WHILE[1EQ1]DO1", ""),
     (Fault::UnknownOperation, 199, "G0 X1\nG65 H98 P#1 Q1 R1\nM30", "G65 H98 P#1 Q1 R1", ""),
@@ -292,6 +294,29 @@ fn the_tables_of_alarms_and_of_their_texts_agree() {
         let text = catalogue.message(&alarm);
         assert!(!text.is_empty() && !text.contains("gsk990mc"), "{number} has no text: {text:?}");
         assert!(catalogue.help(&alarm).is_some(), "{number} does not say what to do");
+    }
+}
+
+/// Moves that compensation holds back for the next block are given out before an alarm which is of that block alone.
+#[test]
+fn what_comes_before_a_faulty_block_is_done() {
+    let faulty = [
+        ("G40 G2 X60 Y20 R20", Fault::CutterStartInArc),
+        ("D0 G2 X60 Y20 R20", Fault::CutterStartInArc),
+        ("G77", Fault::UnknownGCode),
+        ("X", Fault::AddressWithoutNumber),
+        ("G2 X60 Y20 R1", Fault::ArcRadiusTooSmall),
+    ];
+    for (block, fault) in faulty {
+        let program = format!("G0 X-10 Y-10\nG41 D1 G1 X0 Y0 F100\nX40\n{block}\nM30");
+        let (steps, alarm) = run(&program, RADIUS);
+        let alarm = alarm.unwrap();
+        assert_eq!((alarm.fault, alarm.span.line), (fault, 4), "{block}");
+        assert_eq!(
+            short(&steps, Position::ZERO),
+            ["rapid X-10 Y-10", "feed X0 Y5 F100", "feed X40 F100"],
+            "{block}"
+        );
     }
 }
 

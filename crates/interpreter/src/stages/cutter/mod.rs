@@ -491,11 +491,11 @@ impl<T: Clone> Compensator<T> {
         out: &mut impl FnMut(Out<T>),
     ) -> Done<T> {
         if m.shape != Shape::Line {
-            return Err(FaultAt {
-                fault: Fault::StartOrCancelInArc,
-                at: payload,
-                before: Some(last.payload),
-            });
+            // The fault is this block's alone: those before it are done.
+            let before = Some(last.payload.clone());
+            self.newer = Some(last);
+            self.flush(out)?;
+            return Err(FaultAt { fault: Fault::StartOrCancelInArc, at: payload, before });
         }
         let side = if last.element.side > 0.0 { Side::Left } else { Side::Right };
         // Straight from start-up to cancel there is no block in the mode to stand square to.
