@@ -46,7 +46,7 @@ use crate::supervision::Supervisor;
 use awaited_input::AwaitedInput;
 use block_end::{Block, Blocks};
 use ferrocut_geometry::{Axis, AxisSet, Position};
-use ferrocut_interpreter::{AtRest, Interpreter};
+use ferrocut_interpreter::{AtRest, Interpreter, Shown};
 use ferrocut_machine::config::SpindleConfig;
 use ferrocut_machine::{Alarm, Fault, Machine, Ramp};
 use ferrocut_motion::servo::{Kind, Servo, ServoFault, ServoFaultKind};
@@ -409,6 +409,11 @@ impl Cnc {
     /// What tool length compensation adds for the move being run.
     pub fn tool_length(&self) -> Position {
         self.frame().length
+    }
+
+    /// What pages show as in force: of the move being run, and between programs what is in force now.
+    pub fn shown(&self) -> Shown {
+        if self.is_under_way() { self.frame().shown } else { self.interpreter.shown() }
     }
 
     /// What is in force for the move being run.

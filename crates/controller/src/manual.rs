@@ -36,7 +36,9 @@ pub enum JogSpeed {
 #[derive(Clone, Copy, Debug, Default)]
 struct Speeds {
     velocity: f64,
+    /// With the rapid key, and in positioning.
     rapid: f64,
+    positioning: f64,
     /// Software limits, mm.
     travel: Travel,
     /// Whether the rapid key is dead: before homing, where a parameter says so (GSK990MC 12#0).
@@ -70,6 +72,7 @@ impl Manual {
                 *place = Speeds {
                     velocity: axis.velocity / 60.0,
                     rapid: rapid / 60.0,
+                    positioning: axis.rapid / 60.0,
                     travel: (axis.min, axis.max),
                     no_rapid: false,
                     holds: true,
@@ -251,7 +254,7 @@ impl Manual {
 
     /// Goes to a place as positioning does, under the rapid override.
     pub fn go_at_rapid(&mut self, axis: Axis, place: f64) {
-        let speed = self.under_rapid_override(self.of(axis).rapid);
+        let speed = self.under_rapid_override(self.of(axis).positioning);
         self.let_go(axis);
         if place != self.at(axis) {
             self.moves_by(false);

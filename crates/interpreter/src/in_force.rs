@@ -1,7 +1,11 @@
 //! What is in force behind the blocks that were run, for whoever shows it.
 
-use crate::interpreter::Interpreter;
+use crate::dialect::Meaning;
+use crate::interpreter::{Interpreter, Location, Technology};
+use crate::modal::{Group, Modal};
+use crate::stages::units;
 use ferrocut_geometry::Position;
+use ferrocut_machine::WorkOffset;
 use ferrocut_toolpath::SpindleState;
 
 /// Words in force.
@@ -29,7 +33,56 @@ pub struct InForce {
     pub probed: Option<(Position, bool)>,
 }
 
+/// What a page shows as in force (GSK990MC part 2, 3.1.2).
+#[derive(Clone, Copy, Debug)]
+pub struct Shown {
+    modal: Modal,
+    /// The last F word, mm/min.
+    pub feed: f64,
+    /// S as it was programmed: r/min, or under G96 the surface speed in mm/min or inch/min.
+    pub speed: f64,
+    /// Number of the tool length in force.
+    pub h: u16,
+    /// Number of the cutter radius in force.
+    pub d: f64,
+    /// The tool in the spindle.
+    pub tool: u32,
+    /// The tool that was called last.
+    pub called_tool: u32,
+    /// The work coordinate system; none for one that the program made.
+    pub system: Option<WorkOffset>,
+}
+
+impl Shown {
+    pub(crate) fn new(modal: &Modal, location: &Location, technology: &Technology) -> Shown {
+        let is_surface = modal.meaning(Group::SurfaceSpeed) == Meaning::SurfaceSpeed;
+        Shown {
+            modal: *modal,
+            feed: technology.feed_per_minute,
+            speed: match is_surface {
+                true => technology.surface_speed.unwrap_or(0.0) / units::length_mm(1.0, modal.is_inch()),
+                false => technology.speed.unwrap_or(0.0),
+            },
+            h: location.length.number,
+            d: technology.radius_number,
+            tool: technology.in_spindle,
+            called_tool: technology.tool,
+            system: location.system(),
+        }
+    }
+
+    /// The G codes, in tenths, by the order of groups.
+    pub fn g_codes(&self) -> impl Iterator<Item = u16> {
+        self.modal.codes().map(|code| code.tenths)
+    }
+}
+
 impl Interpreter {
+    /// What is in force behind the blocks that were read.
+    pub fn shown(&self) -> Shown {
+        Shown::new(&self.modal, &self.location, &self.technology)
+    }
+
     /// Words in force behind the blocks that were run. G codes are [`codes_in_force`](Self::codes_in_force).
     pub fn words_in_force(&self) -> InForce {
         let technology = &self.technology;

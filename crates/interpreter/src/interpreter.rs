@@ -30,11 +30,11 @@ use crate::stages::polar::Polar;
 use crate::stages::rotation::Rotation;
 use crate::stages::scaling::Scaling;
 use crate::stages::tool_length::ToolLength;
-use crate::stages::work_offset::WorkSystem;
+use crate::stages::work_offset::{System, WorkSystem};
 use crate::tool_axes::ToolAxes;
 use crate::words::{self, Tables, Words};
 use ferrocut_geometry::{Axis, AxisNames, Position};
-use ferrocut_machine::{Alarm, Fault, Machine, Memory};
+use ferrocut_machine::{Alarm, Fault, Machine, Memory, WorkOffset};
 use ferrocut_program::{FileId, ProgramId, ProgramMemory, Span, lexer};
 use ferrocut_toolpath::{Speed, SpindleState, Step};
 use std::collections::{BTreeMap, VecDeque};
@@ -128,6 +128,14 @@ pub(crate) struct Location {
 }
 
 impl Location {
+    /// The work coordinate system by name; none for one that the program made.
+    pub fn system(&self) -> Option<WorkOffset> {
+        match self.work.system {
+            System::Table(name) => Some(name),
+            System::Floating => None,
+        }
+    }
+
     /// A programmed point through the stages scaling, rotation, work offset and tool length, to machine
     /// axes.
     #[inline]

@@ -52,7 +52,7 @@ pub mod words;
 
 pub use barrier::AtRest;
 pub use dialect::{Dialect, Rules};
-pub use in_force::InForce;
+pub use in_force::{InForce, Shown};
 pub use interpreter::{Interpreter, MachineCodes, Options};
 pub use macros::place_variables;
 pub use origins::Origins;

@@ -10,8 +10,7 @@ use crate::flow::Flow;
 use crate::interpreter::Interpreter;
 use crate::modal::Group;
 use crate::output::Output;
-use crate::stages::units;
-use crate::stages::work_offset::{System, WorkSystem};
+use crate::stages::work_offset::WorkSystem;
 use ferrocut_geometry::Position;
 use ferrocut_machine::{Alarm, Memory, WorkOffset};
 use ferrocut_program::{FileId, ProgramMemory};
@@ -154,10 +153,7 @@ impl Interpreter {
 
     /// The work coordinate system in force, as the program calls it.
     pub fn work_system(&self) -> Option<WorkOffset> {
-        match self.location.work.system {
-            System::Table(name) => Some(name),
-            System::Floating => None,
-        }
+        self.location.system()
     }
 
     /// Whether a person may set the variable: one that stands for nothing else.
@@ -195,21 +191,6 @@ impl Interpreter {
     /// The last F word in mm/min, and S in r/min.
     pub fn feed_and_speed(&self) -> (f64, f64) {
         (self.technology.feed_per_minute, self.technology.speed.unwrap_or(0.0))
-    }
-
-    /// S in force, as it was programmed: r/min, or under G96 the surface speed in mm/min or inch/min.
-    pub fn speed_in_force(&self) -> f64 {
-        match self.is_surface_speed() {
-            true => {
-                self.technology.surface_speed.unwrap_or(0.0) / units::length_mm(1.0, self.modal.is_inch())
-            }
-            false => self.technology.speed.unwrap_or(0.0),
-        }
-    }
-
-    /// Numbers of the offsets in force: H and D.
-    pub fn offsets_in_force(&self) -> (u16, f64) {
-        (self.location.length.number, self.technology.radius_number)
     }
 
     /// The tool in the spindle, and the one that was called last.

@@ -4,6 +4,7 @@
 //! runs steps may have this kept for the blocks whose steps are under way, as LinuxCNC keeps it with each move. What
 //! blocks wrote to the memory (variables, G10) stays written, as macro statements read ahead do on the Fanuc 0i-M.
 
+use crate::in_force::Shown;
 use crate::interpreter::{Interpreter, Location, Technology};
 use crate::modal::Modal;
 use crate::tool_axes::ToolAxes;
@@ -53,6 +54,13 @@ impl Interpreter {
                 kept.executed.pop_front();
             }
         }
+    }
+
+    /// What was in force as a block gave out its last step so far; without such a record, what is now.
+    pub fn shown_at(&self, block: u64) -> Shown {
+        let kept = self.look_back.iter().flat_map(|kept| kept.executed.iter().rev());
+        let at = kept.into_iter().find(|kept| kept.block <= block);
+        at.map_or_else(|| self.shown(), |at| Shown::new(&at.modal, &at.location, &at.technology))
     }
 
     /// Notes what is in force as the present block gives out a step.

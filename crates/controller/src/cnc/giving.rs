@@ -167,7 +167,7 @@ impl Cnc {
             motion,
             path_length,
             travelled: 0.0,
-            frame: self.interpreter.frame(),
+            frame: self.interpreter.frame_of(&step),
             left: 1.0,
             beside: 0.0,
         };

@@ -20,7 +20,7 @@ use super::lent::Beside;
 use super::{Cnc, State};
 use crate::restart::Journal;
 use ferrocut_geometry::Position;
-use ferrocut_interpreter::Interpreter;
+use ferrocut_interpreter::{Interpreter, Shown};
 use ferrocut_machine::Alarm;
 use ferrocut_program::{FileId, Span};
 use ferrocut_toolpath::{Op, Step};
@@ -59,11 +59,15 @@ pub(super) struct Frame {
     pub begun: u64,
     pub last: Span,
     pub main_line: u32,
+    /// What pages show.
+    pub shown: Shown,
 }
 
 impl Frame {
-    fn of(interpreter: &Interpreter) -> Frame {
+    /// As a step of block `block` is given out, or as it is now.
+    fn of(interpreter: &Interpreter, block: Option<u64>) -> Frame {
         Frame {
+            shown: block.map_or_else(|| interpreter.shown(), |block| interpreter.shown_at(block)),
             zero: interpreter.program_zero(),
             length: interpreter.length_in_force(),
             stroke_check: interpreter.stroke_check(),
@@ -84,7 +88,8 @@ impl Taken {
     /// What comes of the next `blocks` ([`Interpreter::next_within`]).
     fn within(interpreter: &mut Interpreter, blocks: &mut u64) -> Taken {
         let next = interpreter.next_within(blocks);
-        Taken { next, frame: Frame::of(interpreter) }
+        let block = next.as_ref().and_then(|next| next.as_ref().ok()).map(|step| step.block);
+        Taken { next, frame: Frame::of(interpreter, block) }
     }
 }
 
@@ -419,7 +424,12 @@ impl Interpreting {
 
     /// What was in force with the step taken last.
     pub fn frame(&self) -> Frame {
-        self.frame.unwrap_or_else(|| Frame::of(&self.present))
+        self.frame.unwrap_or_else(|| Frame::of(&self.present, None))
+    }
+
+    /// What was in force with a step that was just taken.
+    pub fn frame_of(&self, step: &Step) -> Frame {
+        self.frame.unwrap_or_else(|| Frame::of(&self.present, Some(step.block)))
     }
 
     /// The program is given up or begins anew: what was read is not wanted.
@@ -460,10 +470,10 @@ impl Interpreting {
     /// Reads it in this period.
     fn read(&mut self) -> Next {
         let mut blocks = self.blocks_left;
-        let taken = Taken::within(self.change(), &mut blocks);
-        self.waits = taken.next.is_none() && blocks == 0;
+        let next = self.change().next_within(&mut blocks);
+        self.waits = next.is_none() && blocks == 0;
         self.blocks_left = blocks;
-        taken.next
+        next
     }
 
     /// Has more steps read where there is room, before they are wanted.

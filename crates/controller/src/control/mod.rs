@@ -477,6 +477,7 @@ impl Control {
             self.cancel_start();
             self.release_axes();
             self.give_up();
+            self.cancel_relative();
             self.log_alarm(&self.own_alarm(Fault::EmergencyStop));
         }
         let is_released = !pressed && self.emergency;
@@ -705,13 +706,17 @@ impl Control {
         if self.mode == Mode::Mdi && self.bit(28, 7) {
             self.clear_mdi();
         }
-        // 10#3.
-        if self.bit(10, 3) {
-            self.origin = Position::ZERO;
-        }
+        self.cancel_relative();
         // 10#7.
         if self.mode != Mode::Edit && self.bit(10, 7) {
             self.cursor = 1;
+        }
+    }
+
+    /// 10#3: a reset cancels relative coordinates, and so does the emergency stop, as it clears the variables of 52#6, 52#7.
+    fn cancel_relative(&mut self) {
+        if self.bit(10, 3) {
+            self.origin = Position::ZERO;
         }
     }
 

@@ -172,9 +172,7 @@ impl Control {
     pub fn status(&self) -> Status {
         let interpreter = self.cnc.interpreter();
         let inputs = &self.inputs;
-        let (feed, _) = interpreter.feed_and_speed();
-        let (h, d) = interpreter.offsets_in_force();
-        let (tool, called_tool) = interpreter.tools();
+        let shown = self.cnc.shown();
         let is_loaded = !matches!(self.loaded, super::Loaded::Nothing);
         let mut alarms = Vec::new();
         let emergency = self.emergency.then(|| self.own_alarm(Fault::EmergencyStop));
@@ -197,18 +195,18 @@ impl Control {
             feed: FeedStatus {
                 actual: self.tick.velocity * 60.0,
                 components: self.components(),
-                programmed: feed,
+                programmed: shown.feed,
                 feed_override: inputs.feed_override,
                 rapid_override: inputs.rapid_override.factor().unwrap_or(0.0),
                 manual_override: inputs.manual_override,
             },
             spindle: SpindleStatus {
-                programmed: interpreter.speed_in_force(),
+                programmed: shown.speed,
                 told: self.cnc.spindle().rpm(),
                 actual: self.cnc.spindle().actual_rpm(),
                 spindle_override: inputs.spindle_override,
-                tool,
-                called_tool,
+                tool: shown.tool,
+                called_tool: shown.called_tool,
             },
             program: ProgramStatus {
                 selected: self.selected.clone(),
@@ -216,9 +214,9 @@ impl Control {
                 running: Some(self.running_program()).filter(|name| is_loaded && !name.is_empty()),
                 line: self.tick.span.line,
                 block: interpreter.programs().slice(self.tick.span),
-                g_codes: interpreter.codes_in_force().map(g_code_name).collect(),
-                h,
-                d,
+                g_codes: shown.g_codes().map(g_code_name).collect(),
+                h: shown.h,
+                d: shown.d,
                 next: self.next_block(),
                 retraced: self.cnc.is_retraced(),
                 stop_at: self.stop_at.as_ref().map(|(program, sequence)| StopAt {
@@ -289,7 +287,7 @@ impl Control {
             relative: self.by_axis(path - self.origin),
             to_go: self.by_axis(self.cnc.to_go()),
             interruption: self.by_axis(self.cnc.handwheel_shift()),
-            system: self.cnc.interpreter().work_system().map(|name| name.to_string()),
+            system: self.cnc.shown().system.map(|name| name.to_string()),
         }
     }
 

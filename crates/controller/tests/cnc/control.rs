@@ -409,6 +409,11 @@ fn with_single_block_the_way_back_ends_at_its_point() {
         shop.inputs.single_block = single;
         shop.start();
         assert_eq!(shop.wait(1).activity, Activity::Returning);
+        // As G00 does, which is quicker here than a rapid key (P170 as delivered).
+        let back = std::iter::repeat_with(|| shop.wait(1));
+        let back = back.take_while(|status| status.activity == Activity::Returning);
+        let fastest = back.map(|status| status.feed.actual).fold(0.0, f64::max);
+        assert!(fastest > 5500.0, "{fastest}");
         let status = shop.until_it_stops();
         if !single {
             assert_eq!((status.activity, status.counters.parts), (Activity::Idle, 1));
@@ -1363,6 +1368,41 @@ fn the_input_unit_of_the_setting_page_is_in_force_at_once() {
     // What the page does not set needs the parameter switch.
     let other = Command::SetParameter { name: "NO0.1".into(), value: Some(1.0) };
     assert_eq!(shop.refused(other), "gsk990mc:0068");
+}
+
+/// GSK990MC part 2, 3.1.2 and 3.2: what is shown is of the block that is run, and not of those read ahead of it.
+#[test]
+fn the_status_shows_what_is_in_force_with_the_block_under_way() {
+    let shown = |status: &Status| {
+        let codes = ["G01", "G90", "G17", "G54", "G49", "G91", "G18", "G55", "G43"];
+        let has = |code: &&str| status.program.g_codes.iter().any(|own| own == code);
+        let codes: Vec<&str> = codes.into_iter().filter(has).collect();
+        let system = status.position.system.clone().unwrap();
+        let words = (status.feed.programmed, status.spindle.programmed, status.program.h);
+        (status.program.line, codes, system, words)
+    };
+    let mut shop = Shop::new(&[]);
+    shop.store("O0001", "G90 G94 G1 X2 F300\nX4\nG91 G18 G55 F77 X0 S1234\nG43 H2 Z0\nG1 X-3\nM30\n");
+    shop.select("O1");
+    shop.start();
+    let first = (2, vec!["G01", "G90", "G17", "G54", "G49"], "G54".to_owned(), (300.0, 0.0, 0));
+    assert_eq!(shown(&shop.wait(300)), (1, first.1.clone(), first.2.clone(), first.3));
+    assert_eq!(shown(&shop.wait(300)), first);
+    // In feed hold, when one looks.
+    shop.hold();
+    assert_eq!(shown(&shop.wait(300)), first);
+    shop.start();
+    let status = shop.wait(1500);
+    let last = (5, vec!["G01", "G91", "G18", "G55", "G43"], "G55".to_owned(), (77.0, 1234.0, 2));
+    assert_eq!(shown(&status), last);
+    // In cutter compensation a block is run when the one behind it is known.
+    let mut shop = Shop::new(&[]);
+    shop.store("O0001", "G41 D1 G1 X2 Y2 F300\nX4\nY4\nG40 G0 X8\nM30\n");
+    shop.select("O1");
+    shop.start();
+    while shop.wait(10).program.line < 3 {}
+    let codes = shop.wait(1).program.g_codes;
+    assert!(codes.contains(&"G41".to_owned()) && codes.contains(&"G01".to_owned()), "{codes:?}");
 }
 
 #[test]

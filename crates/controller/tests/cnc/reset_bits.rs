@@ -170,7 +170,8 @@ fn f_h_and_d_are_kept_or_cleared() {
             let parameters = [("NO34.7", value), ("NO35.7", 0.0), ("NO36.0", 0.0)];
             let shop = stopped(&parameters, "G43 H3\nG01 G41 D3 X9 Y9 F432", case);
             let interpreter = shop.control.interpreter();
-            let (h, d) = interpreter.offsets_in_force();
+            let shown = interpreter.shown();
+            let (h, d) = (shown.h, shown.d);
             let feed = interpreter.program_state().feed_per_minute;
             let default = Shop::new(&[]).control.interpreter().program_state().feed_per_minute;
             let wanted = if value == 1.0 { (default, wanted.1, wanted.2) } else { wanted };
@@ -256,7 +257,9 @@ fn what_runs_in_mdi_is_told_and_that_it_is_another() {
 /// 10#3: relative coordinates are those of the machine again.
 #[test]
 fn a_reset_cancels_relative_coordinates_or_not() {
-    for (value, wanted) in [(0.0, 42.0), (1.0, 3.0)] {
+    let emergency = Command::EmergencyStop { pressed: true };
+    let cases = [Command::Reset, emergency].map(|stop| [(0.0, 42.0, stop.clone()), (1.0, 3.0, stop)]);
+    for (value, wanted, stop) in cases.into_iter().flatten() {
         let mut shop = Shop::new(&[("NO10.3", value)]);
         shop.mode(Mode::Mdi);
         shop.say(Command::Mdi { text: "G00 X3".into() });
@@ -264,8 +267,8 @@ fn a_reset_cancels_relative_coordinates_or_not() {
         shop.until_it_stops();
         shop.say(Command::Relative { axis: 'X', to: RelativeTo::Value(42.0) });
         shop.wait(2);
-        shop.say(Command::Reset);
-        assert_eq!(shop.wait(5).position.relative[&'X'], wanted, "{value}");
+        shop.say(stop.clone());
+        assert_eq!(shop.wait(5).position.relative[&'X'], wanted, "{value} {stop:?}");
     }
 }
 

@@ -66,8 +66,12 @@ fn smoothly(shop: &mut Shop, periods: usize) -> Status {
 
 #[test]
 fn whatever_stops_the_way_back_stops_it_without_a_jump_and_keeps_the_rest_of_it() {
+    let (mut shop, _) = away();
+    shop.start();
+    // Behind its middle the axes brake as hard as they may, so that a stop is the end of the way.
+    let whole = (0..).find(|_| shop.wait(1).activity != Activity::Returning).unwrap();
     for stop in STOPS {
-        for after in [1, 7, 60, 150, 260, 300] {
+        for after in [1, 7, whole / 6, whole / 4, whole / 3, 2 * whole / 5] {
             let case = format!("{stop:?} after {after}");
             let (mut shop, held) = away();
             shop.start();
