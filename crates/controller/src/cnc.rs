@@ -416,6 +416,12 @@ impl Cnc {
         if self.is_under_way() { self.frame().shown } else { self.interpreter.shown() }
     }
 
+    /// The last block behind the one under way that was read with something in force which `uses` a value.
+    pub fn read_with(&self, uses: impl Fn(&Shown) -> bool) -> Option<Span> {
+        let mut later = self.given.iter().skip(1).rev().filter(|_| self.is_under_way());
+        later.find(|given| uses(&given.frame.shown)).map(|given| given.span)
+    }
+
     /// What is in force for the move being run.
     fn frame(&self) -> Frame {
         self.given.front().map_or_else(|| self.interpreter.frame(), |given| given.frame)

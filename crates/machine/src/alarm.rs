@@ -813,6 +813,8 @@ faults! {
     DrivesNotMeant = 1493,
     /// Machine lock is on.
     MachineLocked = 1494,
+    /// Blocks were read ahead with a value that was changed since.
+    ReadBefore = 1495,
     // 1520: forms of cycles
     /// A cycle that the editor does not have.
     CycleUnknown = 1520,

@@ -1405,6 +1405,43 @@ fn the_status_shows_what_is_in_force_with_the_block_under_way() {
     assert!(codes.contains(&"G41".to_owned()) && codes.contains(&"G01".to_owned()), "{codes:?}");
 }
 
+/// What is entered in a run does not reach blocks that were read before: that is said, with the last of them.
+#[test]
+fn a_value_entered_in_a_run_tells_which_blocks_were_read_before() {
+    let offset = |number| Command::SetOffset {
+        number,
+        values: OffsetValues { length: Some(20.0), ..OffsetValues::default() },
+        add: false,
+    };
+    let zero =
+        |system: &str| Command::SetZero { system: system.into(), axes: [('Z', 1.0)].into(), add: false };
+    let mut shop = Shop::new(&[]);
+    let told = |shop: &mut Shop, command| {
+        shop.say(command);
+        let events = shop.control.events();
+        events.into_iter().find_map(|event| match event {
+            Event::Alarm { alarm } => Some((alarm.id, alarm.line)),
+            _ => None,
+        })
+    };
+    shop.store("O0001", "G1 X2 F300\nG43 H2 Z0\nX4\nM30\n");
+    shop.select("O1");
+    assert_eq!(told(&mut shop, offset(2)), None);
+    shop.start();
+    shop.wait(300);
+    let before = |line| Some(("FC-1495".to_owned(), line));
+    assert_eq!(told(&mut shop, offset(2)), before(3));
+    assert_eq!(told(&mut shop, offset(3)), None);
+    shop.hold();
+    shop.until_it_stops();
+    assert_eq!(told(&mut shop, zero("G54")), before(3));
+    assert_eq!(told(&mut shop, zero("G55")), None);
+    // The last block is under way.
+    shop.start();
+    while shop.wait(10).program.line < 3 {}
+    assert_eq!(told(&mut shop, offset(2)), None);
+}
+
 #[test]
 fn the_status_has_the_block_that_comes_next_and_where_the_program_stops() {
     let mut shop = Shop::new(&[]);

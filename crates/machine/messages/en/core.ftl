@@ -966,6 +966,9 @@ FC-1493 = Grbl senders drive a simulated machine alone
     .help = Serve the machine without --grbl, or take a machine file without [drives].
 FC-1494 = machine lock is on
     .help = Switch machine lock off first: under it the axes are not where they seem to be.
+FC-1495 = blocks were read ahead with the value as it was
+    .detail = up to line { $line }
+    .help = They run with the old value. To have them run with the new one enter it while the program stands at M00, or before its start.
 
 # The panel in a browser
 FC-1500 = The panel is not built

@@ -966,6 +966,9 @@ FC-1493 = Los emisores Grbl solo mueven una máquina simulada
     .help = Arranque la máquina sin --grbl o use un archivo de máquina sin [drives].
 FC-1494 = el bloqueo de máquina está activado
     .help = Desactive antes el bloqueo de máquina: con él los ejes no están donde parecen.
+FC-1495 = hay bloques leídos con el valor anterior
+    .detail = hasta la línea { $line }
+    .help = Se ejecutan con el valor anterior. Para que se ejecuten con el nuevo, introdúzcalo con el programa parado en M00 o antes del inicio.
 
 # The panel in a browser
 FC-1500 = El panel no está construido

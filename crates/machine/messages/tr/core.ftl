@@ -966,6 +966,9 @@ FC-1493 = Grbl göndericileri yalnız benzetilmiş bir tezgâhı sürer
     .help = Tezgâhı --grbl olmadan sunun ya da [drives] içermeyen bir tezgâh dosyası kullanın.
 FC-1494 = makine kilidi açık
     .help = Önce makine kilidini kapatın: kilitliyken eksenler göründükleri yerde değildir.
+FC-1495 = bloklar önceki değerle okunmuştu
+    .detail = { $line }. satıra kadar
+    .help = Önceki değerle çalışırlar. Yeni değerle çalışmaları için değeri program M00'da dururken veya başlatmadan önce girin.
 
 # The panel in a browser
 FC-1500 = Panel derlenmemiş

@@ -3,8 +3,9 @@
 use super::super::status::PARTS_MACHINED;
 use super::super::{Control, Standing, alarm};
 use super::{Answer, MOST_VALUES, finite, named, within};
-use crate::api::{ByAxis, OffsetValues, RelativeTo, Reply};
+use crate::api::{AlarmInfo, ByAxis, Event, OffsetValues, RelativeTo, Reply};
 use ferrocut_geometry::{Axis, Position};
+use ferrocut_interpreter::Shown;
 use ferrocut_machine::{Alarm, Fault, ParameterKey, ToolOffset, WorkOffset};
 use ferrocut_memory::{Author, Change, Counter};
 use std::collections::BTreeMap;
@@ -53,7 +54,22 @@ impl Control {
                 *slot = within(value, range)?;
             }
         }
-        self.change_data(author, Change::Offset { number, offset })
+        let reply = self.change_data(author, Change::Offset { number, offset })?;
+        // One that is in force already is as it was until its number is programmed anew.
+        let uses = |shown: &Shown| shown.h == number || shown.d == f64::from(number);
+        if !uses(&self.cnc.shown()) {
+            self.tell_read_before(uses);
+        }
+        Ok(reply)
+    }
+
+    /// A value was changed that blocks read ahead have taken as it was: whoever changed it is told up to where.
+    fn tell_read_before(&mut self, uses: impl Fn(&Shown) -> bool) {
+        if let Some(span) = self.cnc.read_with(uses) {
+            let warning = Alarm { span, ..alarm(Fault::ReadBefore) };
+            let warning = warning.with("line", f64::from(span.line)).as_warning();
+            self.event(Event::Alarm { alarm: AlarmInfo::of(&warning) });
+        }
     }
 
     pub(super) fn zeros(&self) -> Reply {
@@ -89,7 +105,9 @@ impl Control {
             let axis = self.axis_named(*letter)?;
             zero[axis] = within(if add { zero[axis] + value } else { *value }, -most..=most)?;
         }
-        self.change_data(author, Change::WorkZero { name, zero })
+        let reply = self.change_data(author, Change::WorkZero { name, zero })?;
+        self.tell_read_before(|shown| name == WorkOffset::External || shown.system == Some(name));
+        Ok(reply)
     }
 
     pub(in crate::control) fn zero_of(&self, system: &str) -> Result<(WorkOffset, Position), Box<Alarm>> {
