@@ -329,6 +329,12 @@ test('programs are dropped, replaced only when asked, copied, renamed, downloade
   await page.getByTestId('delete-go').click();
   await expect(row('O1812')).toHaveCount(0);
   await expect(row('O1810')).toBeVisible();
+  // All of them only behind a question.
+  await page.getByTestId('delete-all').click();
+  await expect(page.getByTestId('delete-all-go')).toBeVisible();
+  await page.getByRole('button', { name: 'Cancel' }).click();
+  await expect(page.getByTestId('delete-all-go')).toBeHidden();
+  await expect(row('O1810')).toBeVisible();
 });
 
 test('a new program begins without an error whatever it is called, and what is no name is refused', async ({ page }) => {

@@ -87,6 +87,8 @@ pub enum Command {
         /// Its name.
         program: String,
     },
+    /// Deletes all programs but those that are locked for who asks.
+    DeleteAll,
     /// Gives a program another name.
     Rename {
         /// Its name.

@@ -94,6 +94,7 @@ impl Control {
             Command::Store { program, text } => self.store(program, text, author),
             Command::Read { program } => self.read(&program),
             Command::Delete { program } => self.delete(&program, author),
+            Command::DeleteAll => self.delete_all(author),
             Command::Rename { program, to } => self.rename(&program, &to, author),
             Command::Lock { program, locked } => {
                 let name = self.known(&program)?;

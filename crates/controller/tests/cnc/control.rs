@@ -1331,6 +1331,7 @@ fn programs_are_edited_only_while_the_program_switch_is_on() {
         Command::Store { program: "O0001".into(), text: "G0 X1\nM30\n".into() },
         Command::Store { program: "O0002".into(), text: "M30\n".into() },
         Command::Delete { program: "O1".into() },
+        Command::DeleteAll,
         Command::Rename { program: "O1".into(), to: "O3".into() },
     ] {
         assert_eq!(shop.refused(command), "FC-1427");

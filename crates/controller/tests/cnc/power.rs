@@ -798,6 +798,16 @@ fn the_program_switch_stands_after_the_power_as_it_was_left() {
     let delete = || Command::Delete { program: "O0001".into() };
     refused(&mut control, delete());
     assert_eq!(control.status().program.selected.as_deref(), Some("O0001"));
+    // Of all programs it is the one that stays (10.1.3).
+    say(&mut control, Command::Store { program: "O0002".into(), text: "M30\n".into() });
+    let names = |control: &mut Control| match say(control, Command::Programs) {
+        Reply::Programs { programs, .. } => programs.into_iter().map(|program| program.name).collect(),
+        _ => Vec::new(),
+    };
+    assert!(names(&mut control).contains(&"O0002".to_owned()));
+    say(&mut control, Command::DeleteAll);
+    control.flush().unwrap();
+    assert_eq!(names(&mut control), ["O0001"]);
     by_maintenance(&mut control, lock(false));
     say(&mut control, delete());
     control.flush().unwrap();

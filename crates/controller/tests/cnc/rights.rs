@@ -138,6 +138,8 @@ fn rows() -> Vec<Row> {
         (json!({"do": "restore", "file": "all.backup", "items": ["programs"]}), 3, ""),
         (json!({"do": "restore", "file": "all.backup", "items": ["parameters"]}), 3, ""),
         (json!({"do": "restore", "file": "all.backup", "items": ["offsets", "plc"]}), 2, ""),
+        // Those that may be.
+        (json!({"do": "delete_all"}), 5, ""),
     ]
 }
 

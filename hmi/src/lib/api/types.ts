@@ -1366,7 +1366,7 @@ program: string, } | { "do": "delete",
 /**
  * Its name.
  */
-program: string, } | { "do": "rename",
+program: string, } | { "do": "delete_all" } | { "do": "rename",
 /**
  * Its name.
  */

@@ -96,6 +96,25 @@ impl Control {
         self.change_data(author, Change::DeleteProgram { name })
     }
 
+    /// All programs (10.1.3) but those that are locked for the author. None where one of them is under way.
+    pub(super) fn delete_all(&mut self, author: &Author) -> Answer {
+        self.may_edit_programs(author)?;
+        let Reply::Programs { programs, .. } = self.programs()? else { return Ok(Reply::Done) };
+        let level = author.level().map_or(0, Level::number);
+        let is_free = |program: &ProgramInfo| program.locked.is_none_or(|needed| level <= needed);
+        let names: Vec<String> = programs.into_iter().filter(is_free).map(|program| program.name).collect();
+        if let Some(name) = names.iter().find(|name| self.is_in_use(name)) {
+            return Err(Box::new(named(Fault::ProgramInUse, name.as_str())));
+        }
+        let mut reply = Reply::Done;
+        for name in &names {
+            if self.delete(name, author)? == Reply::OnItsWay {
+                reply = Reply::OnItsWay;
+            }
+        }
+        Ok(reply)
+    }
+
     /// A program gets another name, and the O number at its start with it.
     pub(super) fn rename(&mut self, program: &str, to: &str, author: &Author) -> Answer {
         self.may_edit_programs(author)?;

@@ -21,13 +21,13 @@ var root = $.from_html(`<input class="filter s-1l9uiap" type="search"/> <!> <!> 
 var root_1 = $.from_html(`<i class="s-1l9uiap"></i>`);
 var root_2 = $.from_html(`<tr draggable="true"><td><button type="button" class="name code s-1l9uiap"> <!><!><!></button></td><td class="comment s-1l9uiap"> </td><td class="right"> </td><td class="muted"> </td></tr>`);
 var root_3 = $.from_html(`<span> </span>`);
-var root_4 = $.from_html(`<table class="table"><thead><tr><th> </th><th> </th><th class="right"> </th><th> </th></tr></thead><tbody></tbody></table> <p class="muted total s-1l9uiap" data-testid="capacity"> <!> <!></p>`, 1);
+var root_4 = $.from_html(`<table class="table"><thead><tr><th> </th><th> </th><th class="right"> </th><th> </th></tr></thead><tbody></tbody></table> <p class="muted total s-1l9uiap" data-testid="capacity"> <!> <!> <!></p>`, 1);
 var root_5 = $.from_html(`<div class="preview s-1l9uiap"><div class="row wrap"><strong class="code"> </strong> <span class="grow muted comment s-1l9uiap"> </span> <!> <!></div> <div class="text s-1l9uiap"><!></div> <div class="row wrap"><a class="download s-1l9uiap"><!> </a> <!> <!> <!> <span class="grow"></span> <!></div></div>`);
 var root_6 = $.from_html(`<!> <!>`, 1);
 var root_7 = $.from_html(`<input class="code" autocapitalize="characters" placeholder="O0001" data-testid="new-name"/>`);
 var root_8 = $.from_html(`<form id="new-program"><!></form>`);
 var root_9 = $.from_html(`<p> </p>`);
-var root_10 = $.from_html(`<div data-testid="directory" role="region"><!> <!></div> <!> <!> <!>`, 1);
+var root_10 = $.from_html(`<div data-testid="directory" role="region"><!> <!></div> <!> <!> <!> <!>`, 1);
 function Directory($$anchor, $$props) {
 	$.push($$props, true);
 	/** Of a program as much is previewed. */
@@ -58,6 +58,7 @@ function Directory($$anchor, $$props) {
 	let replacing = $.state(false);
 	let doomed = $.state("");
 	let deleting = $.state(false);
+	let clearing = $.state(false);
 	let picker = $.state(void 0);
 	const selected = $.derived(() => machine.status?.program.selected ?? null);
 	const list = $.derived(() => (programs.list ?? []).filter((one) => `${one.name} ${one.comment}`.toLowerCase().includes($.get(filter).toLowerCase())));
@@ -152,6 +153,15 @@ function Directory($$anchor, $$props) {
 			programs.refresh();
 		}
 		$.set(deleting, false);
+	}
+	async function removeAll() {
+		const names = (programs.list ?? []).map(({ name }) => name);
+		if (await machine.tell({ do: "delete_all" })) {
+			await programs.refresh();
+			const left = new Set((programs.list ?? []).map(({ name }) => name));
+			names.filter((name) => !left.has(name)).forEach((name) => editing.moved(name, null));
+		}
+		$.set(clearing, false);
 	}
 	var fragment = root_10();
 	var div = $.first_child(fragment);
@@ -370,6 +380,20 @@ function Directory($$anchor, $$props) {
 					$.if(node_9, ($$render) => {
 						if (programs.room !== null) $$render(consequent_6);
 					});
+					var node_10 = $.sibling(node_9, 2);
+					Button(node_10, {
+						kind: "quiet",
+						icon: "trash",
+						onclick: () => $.set(clearing, true),
+						"data-testid": "delete-all",
+						children: ($$anchor, $$slotProps) => {
+							$.next();
+							var text_14 = $.text();
+							$.template_effect(($0) => $.set_text(text_14, $0), [() => t("program.delete_all")]);
+							$.append($$anchor, text_14);
+						},
+						$$slots: { default: true }
+					});
 					$.reset(p);
 					$.template_effect(($0, $1, $2, $3, $4) => {
 						$.set_text(text_3, $0);
@@ -402,16 +426,16 @@ function Directory($$anchor, $$props) {
 			}
 		});
 	}
-	var node_10 = $.sibling(node, 2);
+	var node_11 = $.sibling(node, 2);
 	var consequent_7 = ($$anchor) => {
 		var div_1 = root_5();
 		var div_2 = $.child(div_1);
 		var strong = $.child(div_2);
-		var text_14 = $.only_child(strong, true);
+		var text_15 = $.only_child(strong, true);
 		var span_2 = $.sibling(strong, 2);
-		var text_15 = $.only_child(span_2, true);
-		var node_11 = $.sibling(span_2, 2);
-		Button(node_11, {
+		var text_16 = $.only_child(span_2, true);
+		var node_12 = $.sibling(span_2, 2);
+		Button(node_12, {
 			kind: "primary",
 			icon: "play",
 			onclick: () => void machine.tell({
@@ -421,31 +445,31 @@ function Directory($$anchor, $$props) {
 			"data-testid": "select",
 			children: ($$anchor, $$slotProps) => {
 				$.next();
-				var text_16 = $.text();
-				$.template_effect(($0) => $.set_text(text_16, $0), [() => t("program.select")]);
-				$.append($$anchor, text_16);
+				var text_17 = $.text();
+				$.template_effect(($0) => $.set_text(text_17, $0), [() => t("program.select")]);
+				$.append($$anchor, text_17);
 			},
 			$$slots: { default: true }
 		});
-		var node_12 = $.sibling(node_11, 2);
-		Button(node_12, {
+		var node_13 = $.sibling(node_12, 2);
+		Button(node_13, {
 			icon: "edit",
 			onclick: () => go("program", "edit", $.get(chosen).name),
 			"data-testid": "edit",
 			children: ($$anchor, $$slotProps) => {
 				$.next();
-				var text_17 = $.text();
-				$.template_effect(($0) => $.set_text(text_17, $0), [() => t("program.edit")]);
-				$.append($$anchor, text_17);
+				var text_18 = $.text();
+				$.template_effect(($0) => $.set_text(text_18, $0), [() => t("program.edit")]);
+				$.append($$anchor, text_18);
 			},
 			$$slots: { default: true }
 		});
 		$.reset(div_2);
 		var div_3 = $.sibling(div_2, 2);
-		var node_13 = $.child(div_3);
+		var node_14 = $.child(div_3);
 		{
 			let $0 = $.derived(() => t("program.preview"));
-			Editor(node_13, {
+			Editor(node_14, {
 				get text() {
 					return $.get(preview);
 				},
@@ -458,14 +482,14 @@ function Directory($$anchor, $$props) {
 		$.reset(div_3);
 		var div_4 = $.sibling(div_3, 2);
 		var a = $.child(div_4);
-		var node_14 = $.child(a);
-		Icon(node_14, { name: "download" });
-		var text_18 = $.sibling(node_14, 1, true);
+		var node_15 = $.child(a);
+		Icon(node_15, { name: "download" });
+		var text_19 = $.sibling(node_15, 1, true);
 		$.reset(a);
-		var node_15 = $.sibling(a, 2);
+		var node_16 = $.sibling(a, 2);
 		{
 			let $0 = $.derived(() => $.get(chosen).locked !== null);
-			Button(node_15, {
+			Button(node_16, {
 				icon: "lock",
 				get pressed() {
 					return $.get($0);
@@ -478,41 +502,41 @@ function Directory($$anchor, $$props) {
 				}),
 				children: ($$anchor, $$slotProps) => {
 					$.next();
-					var text_19 = $.text();
-					$.template_effect(($0) => $.set_text(text_19, $0), [() => $.get(chosen).locked === null ? t("program.lock") : t("program.unlock")]);
-					$.append($$anchor, text_19);
+					var text_20 = $.text();
+					$.template_effect(($0) => $.set_text(text_20, $0), [() => $.get(chosen).locked === null ? t("program.lock") : t("program.unlock")]);
+					$.append($$anchor, text_20);
 				},
 				$$slots: { default: true }
 			});
 		}
-		var node_16 = $.sibling(node_15, 2);
-		Button(node_16, {
+		var node_17 = $.sibling(node_16, 2);
+		Button(node_17, {
 			onclick: () => ask("copy"),
 			"data-testid": "copy",
 			children: ($$anchor, $$slotProps) => {
 				$.next();
-				var text_20 = $.text();
-				$.template_effect(($0) => $.set_text(text_20, $0), [() => t("program.copy")]);
-				$.append($$anchor, text_20);
-			},
-			$$slots: { default: true }
-		});
-		var node_17 = $.sibling(node_16, 2);
-		Button(node_17, {
-			onclick: () => ask("rename"),
-			"data-testid": "rename",
-			children: ($$anchor, $$slotProps) => {
-				$.next();
 				var text_21 = $.text();
-				$.template_effect(($0) => $.set_text(text_21, $0), [() => t("program.rename")]);
+				$.template_effect(($0) => $.set_text(text_21, $0), [() => t("program.copy")]);
 				$.append($$anchor, text_21);
 			},
 			$$slots: { default: true }
 		});
-		var node_18 = $.sibling(node_17, 4);
+		var node_18 = $.sibling(node_17, 2);
+		Button(node_18, {
+			onclick: () => ask("rename"),
+			"data-testid": "rename",
+			children: ($$anchor, $$slotProps) => {
+				$.next();
+				var text_22 = $.text();
+				$.template_effect(($0) => $.set_text(text_22, $0), [() => t("program.rename")]);
+				$.append($$anchor, text_22);
+			},
+			$$slots: { default: true }
+		});
+		var node_19 = $.sibling(node_18, 4);
 		{
 			let $0 = $.derived(() => t("app.delete"));
-			Button(node_18, {
+			Button(node_19, {
 				kind: "danger",
 				icon: "trash",
 				get "aria-label"() {
@@ -528,37 +552,37 @@ function Directory($$anchor, $$props) {
 		$.reset(div_4);
 		$.reset(div_1);
 		$.template_effect(($0, $1) => {
-			$.set_text(text_14, $.get(chosen).name);
-			$.set_text(text_15, $.get(chosen).comment);
+			$.set_text(text_15, $.get(chosen).name);
+			$.set_text(text_16, $.get(chosen).comment);
 			$.set_attribute(a, "href", $0);
 			$.set_attribute(a, "download", `${$.get(chosen).name}.nc`);
-			$.set_text(text_18, $1);
+			$.set_text(text_19, $1);
 		}, [() => http.download($.get(chosen).name), () => t("program.download")]);
 		$.append($$anchor, div_1);
 	};
-	$.if(node_10, ($$render) => {
+	$.if(node_11, ($$render) => {
 		if ($.get(chosen)) $$render(consequent_7);
 	});
 	$.reset(div);
-	var node_19 = $.sibling(div, 2);
+	var node_20 = $.sibling(div, 2);
 	{
 		const actions = ($$anchor) => {
-			var fragment_15 = root_6();
-			var node_20 = $.first_child(fragment_15);
-			Button(node_20, {
+			var fragment_16 = root_6();
+			var node_21 = $.first_child(fragment_16);
+			Button(node_21, {
 				onclick: () => $.set(making, false),
 				children: ($$anchor, $$slotProps) => {
 					$.next();
-					var text_22 = $.text();
-					$.template_effect(($0) => $.set_text(text_22, $0), [() => t("app.cancel")]);
-					$.append($$anchor, text_22);
+					var text_23 = $.text();
+					$.template_effect(($0) => $.set_text(text_23, $0), [() => t("app.cancel")]);
+					$.append($$anchor, text_23);
 				},
 				$$slots: { default: true }
 			});
-			var node_21 = $.sibling(node_20, 2);
+			var node_22 = $.sibling(node_21, 2);
 			{
 				let $0 = $.derived(() => !$.get(name) || $.get(taken));
-				Button(node_21, {
+				Button(node_22, {
 					kind: "primary",
 					type: "submit",
 					form: "new-program",
@@ -568,17 +592,17 @@ function Directory($$anchor, $$props) {
 					"data-testid": "name-go",
 					children: ($$anchor, $$slotProps) => {
 						$.next();
-						var text_23 = $.text();
-						$.template_effect(($0) => $.set_text(text_23, $0), [() => t(`program.${$.get(naming)}`)]);
-						$.append($$anchor, text_23);
+						var text_24 = $.text();
+						$.template_effect(($0) => $.set_text(text_24, $0), [() => t(`program.${$.get(naming)}`)]);
+						$.append($$anchor, text_24);
 					},
 					$$slots: { default: true }
 				});
 			}
-			$.append($$anchor, fragment_15);
+			$.append($$anchor, fragment_16);
 		};
 		let $0 = $.derived(() => $.get(naming) === "new" ? t("program.new") : `${t(`program.${$.get(naming)}`)}: ${$.get(chosen)?.name ?? ""}`);
-		Dialog(node_19, {
+		Dialog(node_20, {
 			get title() {
 				return $.get($0);
 			},
@@ -591,11 +615,11 @@ function Directory($$anchor, $$props) {
 			actions,
 			children: ($$anchor, $$slotProps) => {
 				var form = root_8();
-				var node_22 = $.child(form);
+				var node_23 = $.child(form);
 				{
 					let $0 = $.derived(() => t("program.name"));
 					let $1 = $.derived(() => $.get(why) || t("program.name_hint"));
-					Labelled(node_22, {
+					Labelled(node_23, {
 						get label() {
 							return $.get($0);
 						},
@@ -621,38 +645,38 @@ function Directory($$anchor, $$props) {
 			}
 		});
 	}
-	var node_23 = $.sibling(node_19, 2);
+	var node_24 = $.sibling(node_20, 2);
 	{
 		const actions = ($$anchor) => {
-			var fragment_18 = root_6();
-			var node_24 = $.first_child(fragment_18);
-			Button(node_24, {
+			var fragment_19 = root_6();
+			var node_25 = $.first_child(fragment_19);
+			Button(node_25, {
 				onclick: () => $.set(replacing, false),
 				children: ($$anchor, $$slotProps) => {
 					$.next();
-					var text_24 = $.text();
-					$.template_effect(($0) => $.set_text(text_24, $0), [() => t("app.cancel")]);
-					$.append($$anchor, text_24);
+					var text_25 = $.text();
+					$.template_effect(($0) => $.set_text(text_25, $0), [() => t("app.cancel")]);
+					$.append($$anchor, text_25);
 				},
 				$$slots: { default: true }
 			});
-			var node_25 = $.sibling(node_24, 2);
-			Button(node_25, {
+			var node_26 = $.sibling(node_25, 2);
+			Button(node_26, {
 				kind: "danger",
 				onclick: () => void replace(),
 				"data-testid": "replace",
 				children: ($$anchor, $$slotProps) => {
 					$.next();
-					var text_25 = $.text();
-					$.template_effect(($0) => $.set_text(text_25, $0), [() => t("program.replace")]);
-					$.append($$anchor, text_25);
+					var text_26 = $.text();
+					$.template_effect(($0) => $.set_text(text_26, $0), [() => t("program.replace")]);
+					$.append($$anchor, text_26);
 				},
 				$$slots: { default: true }
 			});
-			$.append($$anchor, fragment_18);
+			$.append($$anchor, fragment_19);
 		};
 		let $0 = $.derived(() => t("program.replace_ask"));
-		Dialog(node_23, {
+		Dialog(node_24, {
 			get title() {
 				return $.get($0);
 			},
@@ -665,8 +689,8 @@ function Directory($$anchor, $$props) {
 			actions,
 			children: ($$anchor, $$slotProps) => {
 				var p_1 = root_9();
-				var text_26 = $.only_child(p_1, true);
-				$.template_effect(($0) => $.set_text(text_26, $0), [() => t("program.replace_text", { programs: $.get(doubles).map(({ name }) => name).join(", ") })]);
+				var text_27 = $.only_child(p_1, true);
+				$.template_effect(($0) => $.set_text(text_27, $0), [() => t("program.replace_text", { programs: $.get(doubles).map(({ name }) => name).join(", ") })]);
 				$.append($$anchor, p_1);
 			},
 			$$slots: {
@@ -675,39 +699,94 @@ function Directory($$anchor, $$props) {
 			}
 		});
 	}
-	var node_26 = $.sibling(node_23, 2);
+	var node_27 = $.sibling(node_24, 2);
 	{
 		const actions = ($$anchor) => {
-			var fragment_21 = root_6();
-			var node_27 = $.first_child(fragment_21);
-			Button(node_27, {
-				onclick: () => $.set(deleting, false),
+			var fragment_22 = root_6();
+			var node_28 = $.first_child(fragment_22);
+			Button(node_28, {
+				onclick: () => $.set(clearing, false),
 				children: ($$anchor, $$slotProps) => {
 					$.next();
-					var text_27 = $.text();
-					$.template_effect(($0) => $.set_text(text_27, $0), [() => t("app.cancel")]);
-					$.append($$anchor, text_27);
+					var text_28 = $.text();
+					$.template_effect(($0) => $.set_text(text_28, $0), [() => t("app.cancel")]);
+					$.append($$anchor, text_28);
 				},
 				$$slots: { default: true }
 			});
-			var node_28 = $.sibling(node_27, 2);
-			Button(node_28, {
+			var node_29 = $.sibling(node_28, 2);
+			Button(node_29, {
+				kind: "danger",
+				icon: "trash",
+				onclick: () => void removeAll(),
+				"data-testid": "delete-all-go",
+				children: ($$anchor, $$slotProps) => {
+					$.next();
+					var text_29 = $.text();
+					$.template_effect(($0) => $.set_text(text_29, $0), [() => t("program.delete_all")]);
+					$.append($$anchor, text_29);
+				},
+				$$slots: { default: true }
+			});
+			$.append($$anchor, fragment_22);
+		};
+		let $0 = $.derived(() => t("program.delete_all_ask"));
+		Dialog(node_27, {
+			get title() {
+				return $.get($0);
+			},
+			get open() {
+				return $.get(clearing);
+			},
+			set open($$value) {
+				$.set(clearing, $$value, true);
+			},
+			actions,
+			children: ($$anchor, $$slotProps) => {
+				var p_2 = root_9();
+				var text_30 = $.only_child(p_2, true);
+				$.template_effect(($0) => $.set_text(text_30, $0), [() => t("program.delete_all_text")]);
+				$.append($$anchor, p_2);
+			},
+			$$slots: {
+				actions: true,
+				default: true
+			}
+		});
+	}
+	var node_30 = $.sibling(node_27, 2);
+	{
+		const actions = ($$anchor) => {
+			var fragment_25 = root_6();
+			var node_31 = $.first_child(fragment_25);
+			Button(node_31, {
+				onclick: () => $.set(deleting, false),
+				children: ($$anchor, $$slotProps) => {
+					$.next();
+					var text_31 = $.text();
+					$.template_effect(($0) => $.set_text(text_31, $0), [() => t("app.cancel")]);
+					$.append($$anchor, text_31);
+				},
+				$$slots: { default: true }
+			});
+			var node_32 = $.sibling(node_31, 2);
+			Button(node_32, {
 				kind: "danger",
 				icon: "trash",
 				onclick: () => void remove(),
 				"data-testid": "delete-go",
 				children: ($$anchor, $$slotProps) => {
 					$.next();
-					var text_28 = $.text();
-					$.template_effect(($0) => $.set_text(text_28, $0), [() => t("app.delete")]);
-					$.append($$anchor, text_28);
+					var text_32 = $.text();
+					$.template_effect(($0) => $.set_text(text_32, $0), [() => t("app.delete")]);
+					$.append($$anchor, text_32);
 				},
 				$$slots: { default: true }
 			});
-			$.append($$anchor, fragment_21);
+			$.append($$anchor, fragment_25);
 		};
 		let $0 = $.derived(() => t("program.delete", { program: $.get(doomed) }));
-		Dialog(node_26, {
+		Dialog(node_30, {
 			get title() {
 				return $.get($0);
 			},
@@ -719,10 +798,10 @@ function Directory($$anchor, $$props) {
 			},
 			actions,
 			children: ($$anchor, $$slotProps) => {
-				var p_2 = root_9();
-				var text_29 = $.only_child(p_2, true);
-				$.template_effect(($0) => $.set_text(text_29, $0), [() => t("program.delete_text")]);
-				$.append($$anchor, p_2);
+				var p_3 = root_9();
+				var text_33 = $.only_child(p_3, true);
+				$.template_effect(($0) => $.set_text(text_33, $0), [() => t("program.delete_text")]);
+				$.append($$anchor, p_3);
 			},
 			$$slots: {
 				actions: true,
