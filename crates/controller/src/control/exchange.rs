@@ -131,8 +131,7 @@ impl Control {
             Ok(program) if is_another => drop(plc.exchange(Box::new(program))),
             Ok(_) => {}
             Err(errors) => {
-                let alarm = AlarmInfo::of(&unusable(&errors));
-                self.event(Event::Alarm { alarm });
+                self.tell_of(&unusable(&errors));
             }
         }
         if let Some(keeping) = &mut self.keeping {

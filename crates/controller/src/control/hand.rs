@@ -1,7 +1,7 @@
 //! Axes and spindle moved by hand: what the ladder asks for becomes jog, steps, handwheel (GSK990MC part 2, 4 to 6).
 
 use super::{Control, ParameterSwitch, alarm, modes};
-use crate::api::{AlarmInfo, Event};
+use crate::api::Event;
 use crate::manual::{JogSpeed, JogWay};
 use crate::signals::{Inputs, Mode, SIGNAL_AXES};
 use ferrocut_geometry::{Axis, AxisSet};
@@ -132,7 +132,7 @@ impl Control {
             if asked != 0 && was == 0 {
                 let busy = self.cnc.is_under_way().then(|| Box::new(alarm(Fault::ControlBusy)));
                 match busy.or_else(|| self.locked_alarm()).or_else(|| self.cnc.home_alarm(axis)) {
-                    Some(alarm) => self.event(Event::Refused { alarm: AlarmInfo::of(&alarm) }),
+                    Some(alarm) => self.refuse(&alarm),
                     None => drop(self.cnc.home(axis)),
                 }
             } else if asked == 0 && was != 0 {

@@ -9,7 +9,7 @@ use super::settings::INPUT_UNIT;
 use super::status::Count;
 use super::taking_up::TakingUp;
 use super::{Control, alarm, exchange};
-use crate::api::{AlarmInfo, Event};
+use crate::api::Event;
 use crate::cnc::Tick;
 use ferrocut_geometry::{Axis, AxisSet, Position};
 use ferrocut_interpreter::Interpreter;
@@ -294,13 +294,12 @@ impl Control {
         let told = std::mem::take(&mut keeping.told);
         self.keeping = Some(keeping);
         if told {
-            let alarm = AlarmInfo::of(&alarm(Fault::NotKept));
-            self.event(Event::Alarm { alarm });
+            self.tell_of(&alarm(Fault::NotKept));
         }
         for (answer, asked) in done {
             match answer {
                 Ok(_) => self.apply(&asked.changes, &asked.written),
-                Err(error) => self.event(Event::Refused { alarm: AlarmInfo::of(&error.alarm()) }),
+                Err(error) => self.refuse(&error.alarm()),
             }
         }
     }
@@ -480,7 +479,7 @@ impl Control {
         for Asked { pending, changes, written } in std::mem::take(&mut keeping.pending) {
             match pending.wait() {
                 Ok(_) => self.apply(&changes, &written),
-                Err(error) => self.event(Event::Refused { alarm: AlarmInfo::of(&error.alarm()) }),
+                Err(error) => self.refuse(&error.alarm()),
             }
         }
     }

@@ -320,7 +320,7 @@ impl Control {
             events: VecDeque::with_capacity(MOST_EVENTS),
         };
         if let Some(alarm) = ladder_told {
-            control.event(Event::Alarm { alarm: AlarmInfo::of(&alarm) });
+            control.tell_of(&alarm);
         }
         // 11#6 (2.6, 5).
         if control.machine.homing.limits_before
@@ -458,8 +458,7 @@ impl Control {
             self.cnc.release_overtravel(is_manual && self.ladder_names.releases_overtravel(plc));
         }
         if scanned.rolled_back {
-            let alarm = AlarmInfo::of(&alarm(Fault::LadderTakenOut).as_warning());
-            self.event(Event::Alarm { alarm });
+            self.tell_of(&alarm(Fault::LadderTakenOut).as_warning());
         }
         if is_stopped && !was_stopped {
             self.raise(alarm(Fault::LadderStopped));
@@ -521,7 +520,7 @@ impl Control {
         let is_new = lock != self.before.machine_lock;
         if !self.cnc.set_machine_lock(lock) && is_new && self.cnc.is_under_way() {
             // It comes and goes once the program has ended: nobody is to think that the axes are locked.
-            self.event(Event::Refused { alarm: AlarmInfo::of(&alarm(Fault::ControlBusy)) });
+            self.refuse(&alarm(Fault::ControlBusy));
         }
         self.cnc.set_may_move(may);
         // What took the permission may have stopped the spindle.
@@ -602,8 +601,7 @@ impl Control {
         if (is_let_go || starts_again)
             && let Err(why) = self.cycle_start()
         {
-            let alarm = AlarmInfo::of(&why);
-            self.event(Event::Refused { alarm });
+            self.refuse(&why);
         }
     }
 
@@ -729,7 +727,7 @@ impl Control {
     fn follow_cnc(&mut self) {
         while let Some(event) = self.cnc.next_event() {
             match event {
-                cnc::Event::Warning(alarm) => self.event(Event::Alarm { alarm: AlarmInfo::of(&alarm) }),
+                cnc::Event::Warning(alarm) => self.tell_of(&alarm),
                 cnc::Event::Message(text) => {
                     self.program_message = text.into();
                     self.event(Event::Message { text: self.program_message.clone() });
@@ -826,7 +824,7 @@ impl Control {
 
     /// Tells of an alarm and puts it into the history.
     fn log_alarm(&mut self, alarm: &Alarm) {
-        self.event(Event::Alarm { alarm: AlarmInfo::of(alarm) });
+        self.tell_of(alarm);
         let program = self.running_program();
         if let Some(keeping) = &mut self.keeping {
             keeping.alarm(alarm, &program);
@@ -928,6 +926,16 @@ impl Control {
             self.events.pop_front();
         }
         self.events.push_back(event);
+    }
+
+    /// Tells that something asked for is refused.
+    fn refuse(&mut self, why: &Alarm) {
+        self.event(Event::Refused { alarm: AlarmInfo::of(why) });
+    }
+
+    /// Tells of an alarm or a warning.
+    fn tell_of(&mut self, alarm: &Alarm) {
+        self.event(Event::Alarm { alarm: AlarmInfo::of(alarm) });
     }
 
     /// A bit parameter; off on controls that do not have it.

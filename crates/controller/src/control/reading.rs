@@ -4,7 +4,6 @@
 
 use super::callable::{Callable, Prepared};
 use super::{Control, Loaded, alarm};
-use crate::api::{AlarmInfo, Event};
 use crate::signals::Mode;
 use ferrocut_machine::{Alarm, Fault};
 use ferrocut_program::{ProgramMemory, Text};
@@ -178,7 +177,7 @@ impl Control {
         if self.mode == Mode::Auto
             && let Err(why) = self.cycle_start()
         {
-            self.event(Event::Refused { alarm: AlarmInfo::of(&why) });
+            self.refuse(&why);
         }
     }
 }

@@ -185,7 +185,7 @@ impl Control {
         }
         let how = How { sends: false, axis_by_axis: false };
         if let Err(why) = self.prepare_restart(Wanted { line: None, pass: 1, file: None, how }) {
-            self.event(Event::Refused { alarm: AlarmInfo::of(&why) });
+            self.refuse(&why);
         }
     }
 
@@ -285,7 +285,7 @@ impl Control {
         let asked = search.asked.clone();
         self.taking_up.search = None;
         if let Err(why) = found.and_then(|restart| self.take_found(asked, restart)) {
-            self.event(Event::Refused { alarm: AlarmInfo::of(&why) });
+            self.refuse(&why);
         }
     }
 

@@ -3,7 +3,7 @@
 use super::super::status::PARTS_MACHINED;
 use super::super::{Control, Standing, alarm};
 use super::{Answer, MOST_VALUES, finite, named, within};
-use crate::api::{AlarmInfo, ByAxis, Event, OffsetValues, RelativeTo, Reply};
+use crate::api::{ByAxis, OffsetValues, RelativeTo, Reply};
 use ferrocut_geometry::{Axis, Position};
 use ferrocut_interpreter::Shown;
 use ferrocut_machine::{Alarm, Fault, ParameterKey, ToolOffset, WorkOffset};
@@ -68,7 +68,7 @@ impl Control {
         if let Some(span) = self.cnc.read_with(uses) {
             let warning = Alarm { span, ..alarm(Fault::ReadBefore) };
             let warning = warning.with("line", f64::from(span.line)).as_warning();
-            self.event(Event::Alarm { alarm: AlarmInfo::of(&warning) });
+            self.tell_of(&warning);
         }
     }
 
