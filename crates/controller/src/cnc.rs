@@ -234,6 +234,8 @@ pub struct Cnc {
     /// By how much places were renamed, all in all.
     renamed: Position,
     given: VecDeque<Given>,
+    /// What pages show of the block that is run, or was run last.
+    shown: Shown,
     next_tag: u64,
     waiting: Option<Waiting>,
     busy: Option<Busy>,
@@ -296,6 +298,7 @@ impl Cnc {
         let mut cnc = Cnc {
             supervisor: Supervisor::new(machine, interpreter.dialect(), start).runs(),
             given: VecDeque::with_capacity(room),
+            shown: interpreter.shown(),
             motion,
             steps_a_period: usize::MAX,
             steps_left: usize::MAX,
@@ -411,15 +414,11 @@ impl Cnc {
         self.frame().length
     }
 
-    /// What pages show as in force: of the move being run, and between programs what is in force now.
+    /// What pages show as in force: of the block that is run or was run last; between programs and behind an alarm what is
+    /// in force now.
     pub fn shown(&self) -> Shown {
-        if self.is_under_way() { self.frame().shown } else { self.interpreter.shown() }
-    }
-
-    /// The last block behind the one under way that was read with something in force which `uses` a value.
-    pub fn read_with(&self, uses: impl Fn(&Shown) -> bool) -> Option<Span> {
-        let mut later = self.given.iter().skip(1).rev().filter(|_| self.is_under_way());
-        later.find(|given| uses(&given.frame.shown)).map(|given| given.span)
+        let is_between = matches!(self.state, State::Ready | State::Ended | State::Reset | State::Alarmed(_));
+        if is_between { self.interpreter.shown() } else { self.shown }
     }
 
     /// What is in force for the move being run.
@@ -467,6 +466,7 @@ impl Cnc {
         }
         self.manual.stop();
         if self.state == State::Ready {
+            self.shown = self.interpreter.shown();
             self.forget_passed();
             self.tell_unreferenced();
             // Someone may have started it by hand, or a program before this one.
@@ -778,7 +778,7 @@ impl Cnc {
             given.travelled += setpoint.velocity * self.period;
             let given = *given;
             self.follow_floating(&given);
-            self.span = given.span;
+            (self.span, self.shown) = (given.span, given.frame.shown);
             self.main_line = given.block.main_line;
             self.comes_to(given.number, given.span);
             self.kind = given.kind();
@@ -998,7 +998,7 @@ impl Cnc {
             Waiting::Skip => return self.end_probing(),
             Waiting::Step(step) => step,
         };
-        self.span = step.span;
+        (self.span, self.shown) = (step.span, self.interpreter.frame_of(&step).shown);
         self.comes_to(step.block, step.span);
         if let Some(block) = block {
             self.runs(block);

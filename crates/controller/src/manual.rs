@@ -36,8 +36,9 @@ pub enum JogSpeed {
 #[derive(Clone, Copy, Debug, Default)]
 struct Speeds {
     velocity: f64,
-    /// With the rapid key, and in positioning.
+    /// With the rapid key.
     rapid: f64,
+    /// As the program positions.
     positioning: f64,
     /// Software limits, mm.
     travel: Travel,

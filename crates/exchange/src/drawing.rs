@@ -131,9 +131,13 @@ impl Drawing {
 
     /// Whether there is nothing to do: nothing is cut, and no way of a raised pen is all that was asked for.
     pub fn is_empty(&self) -> bool {
-        let cuts = self.moves.iter().any(|m| matches!(m.action, Action::Cut(_) | Action::Lower));
         let goes = self.moves.iter().any(|m| matches!(m.action, Action::Travel(_)));
-        !cuts && (!goes || self.layers.iter().any(|layer| layer.cutting.is_none()))
+        !self.cuts() && (!goes || self.layers.iter().any(|layer| layer.cutting.is_none()))
+    }
+
+    /// Whether anything is cut.
+    pub fn cuts(&self) -> bool {
+        self.moves.iter().any(|m| matches!(m.action, Action::Cut(_) | Action::Lower))
     }
 }
 

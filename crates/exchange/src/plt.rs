@@ -637,7 +637,12 @@ mod tests {
 
     #[test]
     fn a_raised_pen_may_be_all_that_moves() {
-        assert!(!drawing("IN;SP1;PU400,400;PR-40,-80;").is_empty());
+        let raised = drawing("IN;SP1;PU400,400;PR-40,-80;");
+        assert!(!raised.is_empty());
+        for order in [crate::Order::AsDrawn, crate::Order::Shortest] {
+            let moves = crate::plan::plan(&raised, order);
+            assert_eq!(moves.last().map(|m| m.action), Some(Travel([9.0, 8.0])));
+        }
         assert!(drawing("IN;SP1;PU;").is_empty());
         // What a pen would cut that is left out is no way of its own.
         let left_out = crate::settings::Change { skip: true, ..Default::default() };

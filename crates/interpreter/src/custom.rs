@@ -259,7 +259,8 @@ impl Interpreter {
         for (letter, variable) in programs.arguments {
             let word = self.words.get(*letter);
             let value = match (*letter, &data) {
-                (b'Z', Some(data)) => data.z.map(|z| z / unit),
+                // Without a level the axis is where it is.
+                (b'Z', Some(data)) => data.z.or(is_own.then_some(here[Axis::Z])).map(|z| z / unit),
                 (b'R', Some(data)) => data.r.map(|r| r / unit),
                 (b'Q', Some(data)) => data.q.map(|q| q / unit),
                 (b'P', Some(data)) => data.p.map(|p| p / self.rules.dwell_p_unit_s),

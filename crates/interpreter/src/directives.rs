@@ -201,10 +201,11 @@ impl Interpreter {
                 Ok(())
             }
             Directive::Profile => {
-                let plane = match (names.get(2), arguments.first()) {
-                    (Some(plane), _) => Some(plane.clone()),
-                    (None, argument) => argument.map(|a| self.text_of(page, a.text)),
-                };
+                let bracket = arguments.first().map(|a| self.text_of(page, a.text));
+                if names.len() > 2 && bracket.is_some() {
+                    return Err(self.alarm(Fault::ProfileForm, span));
+                }
+                let plane = names.get(2).cloned().or(bracket);
                 self.begin_profile(second, plane.map(|plane| plane.to_ascii_uppercase()).as_deref(), span)
             }
             Directive::EndProfile => self.end_profile(span),
@@ -215,7 +216,15 @@ impl Interpreter {
             }
             Directive::NoEffect => Ok(()),
             Directive::OtherCycles => {
-                self.described.other_cycles = !second.eq_ignore_ascii_case("OFF");
+                let on = second.eq_ignore_ascii_case("ON");
+                if !on && !second.eq_ignore_ascii_case("OFF") {
+                    let alarm = self.alarm(Fault::UnknownDirective, span);
+                    return Err(Box::new(alarm.with("word", format!("#{first} {second}"))));
+                }
+                if on {
+                    self.cancel_cycle();
+                }
+                self.described.other_cycles = on;
                 Ok(())
             }
         }

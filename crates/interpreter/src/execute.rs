@@ -4,6 +4,7 @@
 use crate::Fallible;
 use crate::barrier::Present;
 use crate::custom::Custom;
+use crate::cycles::CycleKind;
 use crate::dialect::{GCode, MFunction, Meaning};
 use crate::interpreter::Interpreter;
 use crate::modal::Group;
@@ -543,6 +544,18 @@ impl Interpreter {
         }
         // A motion code ends the cycle, also one of the same block (GSK990MC 4.1 note 6).
         match cycle {
+            // A program of the shop is run, whatever stands beside its code.
+            Some(row) if row.meaning == Meaning::Cycle(CycleKind::Own) => {
+                if let Some(code) = codes.non_modal {
+                    return Err(self.alarm(Fault::NeedsOwnBlock, code.span));
+                }
+                self.modal.set(row);
+                // Within itself the code is what the control has for it: nothing.
+                if self.custom_cycle().is_none() {
+                    self.cancel_cycle();
+                    return Err(self.alarm(Fault::UnknownGCode, self.cycle_span()));
+                }
+            }
             _ if motion && !beside_motion => self.cancel_cycle(),
             Some(row) if row.meaning == Meaning::CycleOff => self.cancel_cycle(),
             Some(row) => self.modal.set(row),

@@ -45,6 +45,10 @@ pub struct Shown {
     pub h: u16,
     /// Number of the cutter radius in force.
     pub d: f64,
+    /// Number of the tool length that is compensated (G43, G44).
+    pub length: Option<u16>,
+    /// Number of the cutter radius that is compensated (G41, G42).
+    pub radius: Option<f64>,
     /// The tool in the spindle.
     pub tool: u32,
     /// The tool that was called last.
@@ -65,6 +69,8 @@ impl Shown {
             },
             h: location.length.number,
             d: technology.radius_number,
+            length: (modal.meaning(Group::Length) != Meaning::LengthOff).then_some(location.length.number),
+            radius: (modal.meaning(Group::Cutter) != Meaning::CutterOff).then_some(technology.radius_number),
             tool: technology.in_spindle,
             called_tool: technology.tool,
             system: location.system(),

@@ -536,7 +536,7 @@ impl Interpreter {
             let word_span = page.word_span(block, word);
             let Some(value) = self.word_value(page, block, word)? else { continue };
             match word.letter {
-                // Behind G65 it is one of the letters that are no argument (4.9.2, 4 note 1).
+                // Behind G65 it is one of the letters that are no argument (GSK990MC 4.9.2, 4 note 1; Fanuc 0i-M).
                 b'N' if !called => {}
                 b'G' if value == call => called = true,
                 // Arguments follow G65, and no other code is among them (table 4-9-2-5 notes 1 and 2).

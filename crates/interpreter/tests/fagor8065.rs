@@ -352,8 +352,15 @@ fn a_sharp_corner_is_no_corner() {
 fn turning_cycles_are_switched_on_and_off() {
     let drilled = "S1000 M3 F100\nG0 X0 Y0 Z20\n#LATHECY ON\n#LATHECY OFF\nG99 G81 X10 Z2 I-5\nM30";
     assert!(moves(drilled, "").contains(&"feed Z-5 F100".into()));
-    let (_, alarm) = run_on(&DIALECT, "S1000 M3 F100\n#LATHECY ON\nG0 X1\nG81 X10 Z2 I-5\nM30", "");
-    assert_eq!(alarm.map(|alarm| (alarm.fault, alarm.span.line)), Some((Fault::NotSupported, 4)));
+    let fault = |blocks: &str| {
+        let (_, alarm) = run_on(&DIALECT, &format!("S1000 M3 F100\n{blocks}\nM30"), "");
+        alarm.map(|alarm| (alarm.fault, alarm.span.line))
+    };
+    assert_eq!(fault("#LATHECY ON\nG0 X1\nG81 X10 Z2 I-5"), Some((Fault::NotSupported, 4)));
+    assert_eq!(fault("#LATHECY MAYBE"), Some((Fault::UnknownDirective, 2)));
+    // A milling cycle is over then.
+    let over = "S1000 M3 F100\nG0 X0 Y0 Z20\nG99 G81 X10 Z2 I-5\n#LATHECY ON\nX20\nM30";
+    assert_eq!(moves(over, "").last().map(String::as_str), Some("rapid X20"));
 }
 
 /// 4.19.1, 4.22.1: roughing ends over its start, finishing on the safety plane where it is.

@@ -531,11 +531,23 @@ fn programs_stand_for_codes() {
                 "rapid Z-2",
                 "coolant on",
                 "rapid X1",
-                "rapid Z0",
                 "rapid Y2",
                 "coolant off",
                 "end M30",
             ],
+        ),
+        // A code of motion beside it is in force behind it; a tool length comes with the next way of the tool axis.
+        ("G01 G77 X5 F60\nG80\nX6\nM30\nO677\nY=#FC1\nM17", "", &["feed Y5 F60", "feed X6 F60", "end M30"]),
+        (
+            "G77 X5\nG43 H1 X6\nM30\nO677\nG00 X=#FC1 Z=#FC3+1\nM17",
+            "[tools.1]\nlength = 7.0",
+            &["rapid Z1", "rapid X5", "rapid Z9", "rapid X6", "end M30"],
+        ),
+        // Its words are handed on as they are.
+        (
+            "G77 P-3 Q-5\nM30\nO677\nX=#FC6 Y=#FC5 Z=#FC3\nM17",
+            "[start]\nz = 20",
+            &["rapid X-3 Y-5", "end M30"],
         ),
         // It is no canned cycle of the plane XY.
         ("G18 G77\nM30\nO677\nX4\nM17", "", &["rapid X4", "end M30"]),
@@ -605,6 +617,7 @@ fn programs_break_rules() {
         ("G53 G02 X1 R1 F9\nM30", "", Fault::ArcInMachine, "G53 G02 X1 R1 F9"),
         // In its own program it is what the control has.
         ("G77\nM30\nO677\nG77 X1\nM17", "", Fault::UnknownGCode, "G77"),
+        ("G53 G77 X1\nM30\nO677\nX1\nM17", "", Fault::NeedsOwnBlock, "G53"),
         ("M901 LEVEL1\nM30", "", Fault::WordMissing, "M901"),
         ("G904 FX9 LX1\nM30", "", Fault::WordMissing, "G904"),
         ("G904 FX0 PX1 LX1\nM30", "", Fault::FeedOutOfRange, "FX0"),

@@ -16,11 +16,6 @@ const VISIBLE: f64 = 1e-6;
 /// When the buffer is handed on to the writer.
 const FLUSH_AT: usize = 1 << 16;
 
-/// Whether a trace shows a change from `b` to `a`.
-fn differs(a: &Position, b: &Position) -> bool {
-    Axis::ALL.into_iter().any(|axis| (a[axis] - b[axis]).abs() >= VISIBLE)
-}
-
 /// Writes steps to `W` as JSON lines.
 pub struct TraceWriter<W: Write> {
     out: W,
@@ -156,14 +151,16 @@ impl<W: Write> TraceWriter<W> {
         self.line.push(b'"');
     }
 
-    /// Writes `to` and remembers it; false if no coordinate changed visibly.
+    /// Writes `to` and remembers it; false if no coordinate changed visibly. Named are the axes that move, and those that were
+    /// given another position since they were shown.
     fn to(&mut self, to: &Position) -> bool {
-        if !differs(to, &self.at) {
+        let differs = |a: &Position, b: &Position, axis| (a[axis] - b[axis]).abs() >= VISIBLE;
+        if !Axis::ALL.into_iter().any(|axis| differs(to, &self.at, axis)) {
             return false;
         }
         let mut any = false;
         for axis in Axis::ALL {
-            if (to[axis] - self.shown[axis]).abs() >= VISIBLE {
+            if differs(to, &self.at, axis) || differs(&self.at, &self.shown, axis) {
                 self.line.extend_from_slice(if any { b",\"" } else { b",\"to\":{\"" });
                 any = true;
                 self.line.extend(self.axis_names.name(axis).bytes());
@@ -171,11 +168,9 @@ impl<W: Write> TraceWriter<W> {
                 write_number(&mut self.line, to[axis]);
             }
         }
-        if any {
-            self.line.push(b'}');
-            (self.at, self.shown) = (*to, *to);
-        }
-        any
+        self.line.push(b'}');
+        (self.at, self.shown) = (*to, *to);
+        true
     }
 
     fn feed(&mut self, feed: Feed) {
@@ -493,13 +488,21 @@ mod tests {
         let mut trace = TraceWriter::new(&mut out, Position::xyz(1.0, 6.0, 0.0));
         let rapid = |to| Op::Rapid { to, straight: true, speed: None, path: PathMode::ON_PATH };
         let renamed = Position::xyz(1.0, 0.0, 0.0);
-        for op in [Op::Datum { at: renamed }, rapid(renamed), rapid(Position::xyz(3.0, 0.0, 0.0))] {
+        // The last one goes to the place that was shown first.
+        let ops = [
+            Op::Datum { at: renamed },
+            rapid(renamed),
+            rapid(Position::xyz(3.0, 0.0, 0.0)),
+            Op::Datum { at: Position::xyz(3.0, 5.0, 0.0) },
+            rapid(Position::xyz(3.0, 0.0, 0.0)),
+        ];
+        for op in ops {
             trace.step(&Step::new(op, Span { line: 1, ..Span::default() }, 0)).unwrap();
         }
         trace.finish().unwrap();
         assert_eq!(
             String::from_utf8(out).unwrap(),
-            "{\"op\":\"rapid\",\"to\":{\"x\":3,\"y\":0},\"line\":1}\n"
+            "{\"op\":\"rapid\",\"to\":{\"x\":3,\"y\":0},\"line\":1}\n{\"op\":\"rapid\",\"to\":{\"y\":0},\"line\":1}\n"
         );
     }
 

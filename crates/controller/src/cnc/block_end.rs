@@ -7,6 +7,7 @@
 //! passed, as any point of a path that cannot be braked before it, and the next one is the last.
 
 use super::{Cnc, Given, State, Waiting};
+use ferrocut_interpreter::Shown;
 use ferrocut_machine::Alarm;
 use ferrocut_program::{FileId, Span};
 use ferrocut_toolpath::Step;
@@ -263,6 +264,30 @@ impl Cnc {
             Err(alarm) => alarm.span.line,
         };
         later.or(self.blocks.next.as_ref().map(of))
+    }
+
+    /// The last block behind the one under way that was read with a value in force, as `uses` says of what is. Where the block
+    /// under way has it in force, of those that take it anew if they are to `take` it.
+    pub fn read_with(&self, takes: bool, uses: impl Fn(&Shown) -> bool) -> Option<Span> {
+        if !self.is_under_way() {
+            return None;
+        }
+        let running = self.taking_up.at.0;
+        let next = self.blocks.next.as_ref().and_then(|next| next.as_ref().ok());
+        let next = next.filter(|step| step.op.target().is_some());
+        let moves = self.given.iter().chain(&self.blocks.later);
+        let read = moves.map(|given| (given.number, given.frame.shown, given.span));
+        let read =
+            read.chain(next.map(|step| (step.block, self.interpreter.frame_of(step).shown, step.span)));
+        let (mut was, mut last) = (takes && uses(&self.shown), None);
+        for (_, shown, span) in read.filter(|(number, ..)| *number > running) {
+            let is = uses(&shown);
+            was &= is;
+            if is && !was {
+                last = Some(span);
+            }
+        }
+        last
     }
 
     /// The block behind the one being run for which the machine does something, as far as the program was read.

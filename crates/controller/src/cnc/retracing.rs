@@ -240,7 +240,7 @@ impl Cnc {
             _ => self.retrace.find(sample.tag).copied(),
         };
         if let Some(given) = given {
-            self.span = given.span;
+            (self.span, self.shown) = (given.span, given.frame.shown);
             self.main_line = given.block.main_line;
             self.kind = given.kind();
             if way != 0.0 {

@@ -249,7 +249,7 @@ impl Control {
         self.change_data_together(author, vec![change])
     }
 
-    fn change_data_together(&mut self, author: &Author, changes: Vec<Change>) -> Answer {
+    pub(super) fn change_data_together(&mut self, author: &Author, changes: Vec<Change>) -> Answer {
         match self.change_together(author, changes)? {
             true => Ok(Reply::Done),
             false => Ok(Reply::OnItsWay),

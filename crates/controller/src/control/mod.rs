@@ -711,7 +711,8 @@ impl Control {
         }
     }
 
-    /// 10#3: a reset cancels relative coordinates, and so does the emergency stop, as it clears the variables of 52#6, 52#7.
+    /// 10#3: a reset cancels relative coordinates. The manual names the key alone (2.3.1); the emergency stop is a reset here
+    /// as on the Fanuc 0i-M, for these as for the variables of 52#6 and 52#7.
     fn cancel_relative(&mut self) {
         if self.bit(10, 3) {
             self.origin = Position::ZERO;

@@ -1396,6 +1396,22 @@ fn the_status_shows_what_is_in_force_with_the_block_under_way() {
     let status = shop.wait(1500);
     let last = (5, vec!["G01", "G91", "G18", "G55", "G43"], "G55".to_owned(), (77.0, 1234.0, 2));
     assert_eq!(shown(&status), last);
+    // In the stops of single block, pressed in the run too.
+    for early in [true, false] {
+        let mut shop = Shop::new(&[]);
+        shop.inputs.single_block = early;
+        shop.store("O0001", "G90 G54 G1 X1 F600\nX2 F300\nG91 G55 X3 F200 S77\nM30\n");
+        shop.select("O1");
+        shop.start();
+        shop.wait(10);
+        shop.inputs.single_block = true;
+        for (line, feed, system) in [(1, 600.0, "G54"), (2, 300.0, "G54"), (3, 200.0, "G55")] {
+            let status = shop.until_it_stops();
+            let (at, _, is, (f, ..)) = shown(&status);
+            assert_eq!((status.activity, at, f, is.as_str()), (Activity::BlockEnd, line, feed, system));
+            shop.start();
+        }
+    }
     // In cutter compensation a block is run when the one behind it is known.
     let mut shop = Shop::new(&[]);
     shop.store("O0001", "G41 D1 G1 X2 Y2 F300\nX4\nY4\nG40 G0 X8\nM30\n");
@@ -1404,6 +1420,24 @@ fn the_status_shows_what_is_in_force_with_the_block_under_way() {
     while shop.wait(10).program.line < 3 {}
     let codes = shop.wait(1).program.g_codes;
     assert!(codes.contains(&"G41".to_owned()) && codes.contains(&"G01".to_owned()), "{codes:?}");
+    // Where it waits, and where it comes to rest behind a reset.
+    let mut shop = Shop::new(&[]);
+    shop.store("O0001", "G41 D1 G1 X2 Y2 F6000\nX4\nG4 P500\nG91 G55 Y4 F77\nG40 X8\nM30\n");
+    shop.select("O1");
+    shop.start();
+    while shop.wait(10).program.line < 3 {}
+    let (line, codes, system, (feed, ..)) = shown(&shop.wait(100));
+    assert_eq!((line, codes.contains(&"G90"), system.as_str(), feed), (3, true, "G54", 6000.0));
+    let mut shop = Shop::new(&[]);
+    shop.store("O0001", "G90 G1 X50 F6000\nG91 G55 Y4 F77\nM30\n");
+    shop.select("O1");
+    shop.start();
+    shop.wait(200);
+    shop.say(Command::Reset);
+    while shop.control.status().feed.actual > 0.0 {
+        let (_, codes, system, (feed, ..)) = shown(&shop.wait(1));
+        assert_eq!((codes.contains(&"G90"), system.as_str(), feed), (true, "G54", 6000.0));
+    }
 }
 
 /// What is entered in a run does not reach blocks that were read before: that is said, with the last of them.
@@ -1416,7 +1450,11 @@ fn a_value_entered_in_a_run_tells_which_blocks_were_read_before() {
     };
     let zero =
         |system: &str| Command::SetZero { system: system.into(), axes: [('Z', 1.0)].into(), add: false };
-    let mut shop = Shop::new(&[]);
+    let radius = |number| Command::SetOffset {
+        number,
+        values: OffsetValues { radius: Some(3.0), ..OffsetValues::default() },
+        add: false,
+    };
     let told = |shop: &mut Shop, command| {
         shop.say(command);
         let events = shop.control.events();
@@ -1425,22 +1463,51 @@ fn a_value_entered_in_a_run_tells_which_blocks_were_read_before() {
             _ => None,
         })
     };
-    shop.store("O0001", "G1 X2 F300\nG43 H2 Z0\nX4\nM30\n");
-    shop.select("O1");
-    assert_eq!(told(&mut shop, offset(2)), None);
-    shop.start();
-    shop.wait(300);
+    let begun = |text: &str| {
+        let mut shop = Shop::new(&[]);
+        shop.store("O0001", text);
+        shop.select("O1");
+        assert_eq!(told(&mut shop, offset(2)), None);
+        shop.start();
+        shop.wait(300);
+        shop
+    };
     let before = |line| Some(("FC-1495".to_owned(), line));
-    assert_eq!(told(&mut shop, offset(2)), before(3));
+    let mut shop = begun("G1 X2 F300\nG43 H2 Z0\nX4\nG49 Z0\nX5\nM30\n");
+    assert_eq!(told(&mut shop, radius(2)), None);
+    assert_eq!(
+        told(&mut shop, Command::SetOffset { number: 2, values: OffsetValues::default(), add: true }),
+        None
+    );
+    let longer = OffsetValues { length: Some(21.0), ..OffsetValues::default() };
+    assert_eq!(told(&mut shop, Command::SetOffset { number: 2, values: longer, add: false }), before(3));
     assert_eq!(told(&mut shop, offset(3)), None);
     shop.hold();
     shop.until_it_stops();
-    assert_eq!(told(&mut shop, zero("G54")), before(3));
+    assert_eq!(told(&mut shop, zero("G54")), before(5));
     assert_eq!(told(&mut shop, zero("G55")), None);
     // The last block is under way.
     shop.start();
-    while shop.wait(10).program.line < 3 {}
-    assert_eq!(told(&mut shop, offset(2)), None);
+    while shop.wait(10).program.line < 5 {}
+    shop.hold();
+    shop.until_it_stops();
+    assert_eq!(told(&mut shop, zero("external")), None);
+    // One that is in force stays as it was taken, until it is taken anew.
+    let mut shop = begun("G43 H3 Z0\nG1 X2 F300\nX4\nG49 X4.5\nG43 H3 X5\nX6\nM30\n");
+    assert_eq!(told(&mut shop, offset(3)), before(6));
+    // The radius without compensation is none.
+    let mut shop = begun("G1 X2 F300\nD3 X3\nX4\nM30\n");
+    assert_eq!(told(&mut shop, radius(3)), None);
+    // In single block too, in whose stops zeros are set: of what is read already.
+    let mut shop = Shop::new(&[]);
+    shop.store("O0001", "G1 X20 F3000\nX24\nX25\nM30\n");
+    shop.select("O1");
+    shop.start();
+    shop.wait(10);
+    shop.inputs.single_block = true;
+    let status = shop.until_it_stops();
+    assert_eq!((status.activity, status.program.line), (Activity::BlockEnd, 1));
+    assert_eq!(told(&mut shop, zero("G54")), before(3));
 }
 
 #[test]

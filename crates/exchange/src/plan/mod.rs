@@ -31,6 +31,8 @@ pub struct Cut {
 
 /// What the pen does, in the order asked for.
 pub fn plan(drawing: &Drawing, order: Order) -> Vec<Move> {
+    // Ways of a raised pen have no other order than their own.
+    let order = if drawing.cuts() { order } else { Order::AsDrawn };
     match (order, drawing.format) {
         (Order::AsDrawn, Format::Plt) => drawing.moves.clone(),
         (Order::AsDrawn, Format::Dxf) => {

@@ -343,6 +343,10 @@ impl Interpreter {
         if length.is_some() || self.words.has(b'H') {
             self.keep_length_number()?;
             self.cycle.length = Some(length.unwrap_or(self.modal.meaning(Group::Length)));
+            if is_own {
+                // No way to an R level takes it up: the next one of the tool axis does.
+                self.hand_length_over();
+            }
         }
         if self.cycle.holes_left == 0 {
             self.scale_tool_axis_again();
@@ -385,9 +389,7 @@ impl Interpreter {
             Some(CycleKind::FineBore) => self.fine_bore(),
             Some(CycleKind::BackBore) => self.back_bore(),
             Some(CycleKind::Mill { shape, turn }) => self.mill(shape, turn),
-            // Within its program the code is what the control has for it: nothing.
-            Some(CycleKind::Own) => Err(self.alarm(Fault::UnknownGCode, self.cycle_span())),
-            Some(CycleKind::Words(_)) | None => Ok(()),
+            Some(CycleKind::Words(_) | CycleKind::Own) | None => Ok(()),
         };
         if let Err(alarm) = done {
             self.cycle.holes_left = 0;
@@ -440,9 +442,11 @@ impl Interpreter {
         if let Some(depth) = self.cycle.depth {
             self.cycle.z = Some(self.cycle.r.unwrap_or(self.cycle.initial) + depth);
         }
+        // What they mean is for the program of the shop to say.
+        let is_own = self.cycle_kind() == Some(CycleKind::Own);
         if let Some(q) = self.words.get(b'Q') {
             // The sign is left aside (GSK990MC 4.4.4, 4.4.9).
-            self.cycle.q = Some(mm(q).abs());
+            self.cycle.q = Some(if is_own { mm(q) } else { mm(q).abs() });
         }
         if let Some(v) = self.words.get(b'V') {
             self.cycle.v = Some(mm(v).abs());
@@ -454,12 +458,13 @@ impl Interpreter {
             if shortest >= longest {
                 return Err(self.alarm_at(Fault::DwellLimits, b'P'));
             }
-            self.cycle.p = Some((p * self.rules.cycles.dwell_p_unit_s).clamp(shortest, longest));
+            let seconds = p * self.rules.cycles.dwell_p_unit_s;
+            self.cycle.p = Some(if is_own { seconds } else { seconds.clamp(shortest, longest) });
         }
         Ok(())
     }
 
-    fn cycle_span(&self) -> Span {
+    pub(crate) fn cycle_span(&self) -> Span {
         let code = self.words.g.iter().find(|g| g.row.group == Group::Cycle);
         code.map_or(self.words.block_span(), |g| g.span)
     }

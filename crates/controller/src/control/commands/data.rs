@@ -54,21 +54,22 @@ impl Control {
                 *slot = within(value, range)?;
             }
         }
+        let was = row.unwrap_or_default();
+        let is_longer = (offset.length, offset.length_wear) != (was.length, was.length_wear);
+        let is_wider = (offset.radius, offset.radius_wear) != (was.radius, was.radius_wear);
         let reply = self.change_data(author, Change::Offset { number, offset })?;
-        // One that is in force already is as it was until its number is programmed anew.
-        let uses = |shown: &Shown| shown.h == number || shown.d == f64::from(number);
-        if !uses(&self.cnc.shown()) {
-            self.tell_read_before(uses);
-        }
+        self.tell_read_before(true, |shown| {
+            is_longer && shown.length == Some(number) || is_wider && shown.radius == Some(f64::from(number))
+        });
         Ok(reply)
     }
 
-    /// A value was changed that blocks read ahead have taken as it was: whoever changed it is told up to where.
-    fn tell_read_before(&mut self, uses: impl Fn(&Shown) -> bool) {
-        if let Some(span) = self.cnc.read_with(uses) {
+    /// A value was changed that blocks read ahead have as it was: whoever changed it is told up to where. One of an offset is in
+    /// force as it was taken until it is programmed anew.
+    fn tell_read_before(&mut self, takes: bool, uses: impl Fn(&Shown) -> bool) {
+        if let Some(span) = self.cnc.read_with(takes, uses) {
             let warning = Alarm { span, ..alarm(Fault::ReadBefore) };
-            let warning = warning.with("line", f64::from(span.line)).as_warning();
-            self.tell_of(&warning);
+            self.tell_of(&warning.with("line", f64::from(span.line)).as_warning());
         }
     }
 
@@ -106,7 +107,7 @@ impl Control {
             zero[axis] = within(if add { zero[axis] + value } else { *value }, -most..=most)?;
         }
         let reply = self.change_data(author, Change::WorkZero { name, zero })?;
-        self.tell_read_before(|shown| name == WorkOffset::External || shown.system == Some(name));
+        self.tell_read_before(false, |shown| name == WorkOffset::External || shown.system == Some(name));
         Ok(reply)
     }
 

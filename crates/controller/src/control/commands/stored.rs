@@ -103,16 +103,19 @@ impl Control {
         let level = author.level().map_or(0, Level::number);
         let is_free = |program: &ProgramInfo| program.locked.is_none_or(|needed| level <= needed);
         let names: Vec<String> = programs.into_iter().filter(is_free).map(|program| program.name).collect();
+        if names.is_empty() {
+            return Ok(Reply::Done);
+        }
         if let Some(name) = names.iter().find(|name| self.is_in_use(name)) {
             return Err(Box::new(named(Fault::ProgramInUse, name.as_str())));
         }
-        let mut reply = Reply::Done;
-        for name in &names {
-            if self.delete(name, author)? == Reply::OnItsWay {
-                reply = Reply::OnItsWay;
-            }
+        if let library::Library::Held(programs) = self.callable.library() {
+            programs.lock().unwrap_or_else(PoisonError::into_inner).retain(|name, _| !names.contains(name));
         }
-        Ok(reply)
+        self.change_data_together(
+            author,
+            names.into_iter().map(|name| Change::DeleteProgram { name }).collect(),
+        )
     }
 
     /// A program gets another name, and the O number at its start with it.

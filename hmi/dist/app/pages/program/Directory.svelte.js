@@ -155,11 +155,10 @@ function Directory($$anchor, $$props) {
 		$.set(deleting, false);
 	}
 	async function removeAll() {
-		const names = (programs.list ?? []).map(({ name }) => name);
+		const open = (programs.list ?? []).filter(({ locked }) => locked === null);
 		if (await machine.tell({ do: "delete_all" })) {
-			await programs.refresh();
-			const left = new Set((programs.list ?? []).map(({ name }) => name));
-			names.filter((name) => !left.has(name)).forEach((name) => editing.moved(name, null));
+			open.forEach(({ name }) => editing.moved(name, null));
+			programs.refresh();
 		}
 		$.set(clearing, false);
 	}
