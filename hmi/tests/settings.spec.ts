@@ -48,7 +48,7 @@ test('the program switch closes all programs, and opens them again', async ({ pa
   expect([put.status(), (await put.json()).refused.alarm.id]).toEqual([409, 'FC-1427']);
   await show(page, 'program/directory');
   await page.locator('[data-program="O1800"]').getByRole('button').click();
-  await page.getByRole('button', { name: 'Delete' }).click();
+  await page.getByRole('button', { name: 'Delete', exact: true }).click();
   await page.getByTestId('delete-go').click();
   await expect(page.locator('[data-program="O1800"]')).toBeVisible();
   expect(await kept(page, 'O1800')).toBe(text);

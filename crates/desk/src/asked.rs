@@ -119,8 +119,11 @@ fn place(word: &str, book: &Book, is_file: &dyn Fn(&str) -> bool) -> Option<Aske
             Some(Asked::Place(file.into(), line, Some(usize::try_from(last).ok()?)))
         }
         _ if rest.is_empty() || rest.eq_ignore_ascii_case(book.dialect.name) => None,
-        // A place without a column, if there is such a file; else the alarm of another control.
-        _ => is_file(rest).then(|| Asked::Place(rest.into(), last, None)),
+        // A place without a column, of a file that there is or of what no control is called; else the alarm of another control.
+        _ => {
+            let is_path = is_file(rest) || rest.contains(['.', '/', '\\']);
+            is_path.then(|| Asked::Place(rest.into(), last, None))
+        }
     }
 }
 

@@ -3,7 +3,7 @@
 use crate::asked::Asked;
 use crate::book::Book;
 use crate::names::range;
-use crate::page::{Page, with_unit};
+use crate::page::{Page, in_unit, with_unit};
 use ferrocut_interpreter::dialect::Variable;
 use ferrocut_machine::{
     AlarmClass, AlarmId, Argument, Fault, GCodeRow, Meaning, ParameterKey, Subject, VariableRow, WorkOffset,
@@ -172,7 +172,7 @@ impl Book {
         let bounds = match (definition.min, definition.max) {
             _ if matches!(key, ParameterKey::Bit { .. }) => self.label("label-explain-bit", &[]),
             (min, max) => match range(min, max) {
-                Some(range) => format!("{range} {}", definition.unit).trim_end().to_owned(),
+                Some(range) => in_unit(&range, definition),
                 None => self.label("label-explain-no-range", &[]),
             },
         };

@@ -151,7 +151,14 @@ pub fn meaning(definition: &ParameterDef, catalogue: Catalogue) -> String {
 
 /// A value with its unit.
 pub fn with_unit(value: f64, definition: &ParameterDef) -> String {
-    format!("{value} {}", definition.unit).trim_end().to_owned()
+    in_unit(&value.to_string(), definition)
+}
+
+/// A number, or a range of numbers, with the unit of a parameter, which may be so many of another.
+pub fn in_unit(number: &str, definition: &ParameterDef) -> String {
+    let unit = &*definition.unit;
+    let times = if unit.starts_with(|c: char| c.is_ascii_digit()) { "× " } else { "" };
+    format!("{number} {times}{unit}").trim_end().to_owned()
 }
 
 /// The value of a parameter, and its default where that is another.

@@ -7,7 +7,7 @@ use crate::commands::plc::PlcArgs;
 use crate::view::{DEFAULT_WIDTH, WIDTHS};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use ferrocut_machine::Language;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// What `ferrocut` is asked to do.
 #[derive(Parser)]
@@ -147,6 +147,14 @@ pub struct Common {
     /// Stop at M01, as with the operator's switch on
     #[arg(long)]
     pub optional_stop: bool,
+}
+
+impl Common {
+    /// The files that are read beside the program.
+    pub fn files(&self) -> impl Iterator<Item = &Path> {
+        let files = [&self.machine, &self.public, &self.setup, &self.tool_table, &self.var_file];
+        files.into_iter().filter_map(|file| file.as_deref())
+    }
 }
 
 /// How results are printed, by every command.

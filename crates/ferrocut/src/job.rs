@@ -108,6 +108,11 @@ impl Failure {
         Failure::wrong_use(Fault::FileUnwritable).with("file", file).with("reason", reason)
     }
 
+    /// A result that would be written over what the command reads.
+    pub fn output_is_input(file: &str) -> Failure {
+        Failure::wrong_use(Fault::OutputIsInput).with("file", file)
+    }
+
     /// A picture in a format that there is not.
     pub fn picture_format(file: &str) -> Failure {
         Failure::wrong_use(Fault::PictureFormat).with("file", file)

@@ -5,6 +5,7 @@ mod commands;
 mod diagnostics;
 mod drawing;
 mod job;
+mod outputs;
 mod plot;
 mod pockets;
 mod report;

@@ -303,6 +303,11 @@ fn what_does_not_exist_is_told_in_a_sentence_with_near_matches() {
         assert_eq!((answer.code, answer.out.as_str()), (2, ""), "{what}");
         assert!(answer.err.starts_with(says) && answer.err.lines().count() == 1, "{what}: {}", answer.err);
     }
+    // What no control is called is a file that is not there.
+    for what in ["nofile.nc:3", "no/such:3", "nofile.nc:3:1"] {
+        let answer = explain(&[what]);
+        assert!(answer.code == 2 && answer.err.contains("cannot be read"), "{what}: {}", answer.err);
+    }
     // The others of a list are explained all the same.
     let answer = explain(&["G77", "G76"]);
     assert!(answer.code == 2 && answer.out.starts_with("G76  "));
@@ -381,7 +386,10 @@ fn kaitong_is_explained_with_its_own_names() {
     assert!(g76.contains("P018.4  0") && g76.contains("P018.5  0") && !g76.contains("P230"), "{g76}");
     let retract = page("P230");
     assert!(
-        retract.contains("1000 0.001 mm") && retract.contains("G73") && retract.contains("G83"),
+        retract.contains("1000 × 0.001 mm")
+            && retract.contains("≥ 0 × 0.001 mm")
+            && retract.contains("G73")
+            && retract.contains("G83"),
         "{retract}"
     );
     assert_eq!(page("P018").matches("shift_").count(), 2);

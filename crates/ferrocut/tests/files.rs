@@ -4,7 +4,7 @@
 
 mod common;
 
-use common::{Answer, ferrocut, json, with_input, write};
+use common::{Answer, ferrocut, json, root, with_input, write};
 
 const COMMANDS: [&str; 4] = ["run", "check", "trace", "time"];
 
@@ -33,6 +33,49 @@ fn every_command(file: &str, code: i32, name: &str) {
 #[test]
 fn a_file_that_is_not_there() {
     every_command("no/such/part.nc", 2, "no/such/part.nc");
+}
+
+/// A result is written over nothing that the command reads, whatever it is called there.
+#[test]
+fn an_output_that_is_an_input() {
+    let folder = tempfile::tempdir().unwrap();
+    let program = write(&folder, "part.nc", "G1 X1 F100\nM30\n");
+    let machine = write(&folder, "mill.toml", std::fs::read(root().join("machines/demo-mill.toml")).unwrap());
+    let drawing = write(&folder, "plate.plt", "PU0,0;PD400,0;PU;");
+    let picture = write(&folder, "part.svg", "G1 X1 F100\nM30\n");
+    let ladder = write(&folder, "mill.lad", std::fs::read(root().join("machines/standard.lad")).unwrap());
+    let memory = folder.path().join("memory");
+    let memory_folder = memory.to_str().unwrap();
+    let database = memory.join("memory.db");
+    ferrocut_memory::Store::open(&memory, ferrocut_memory::Settings::new("gsk990mc")).unwrap();
+    // By another way to the same place.
+    let around =
+        format!("{}/../{}/part.nc", folder.path().display(), folder.path().file_name().unwrap().display());
+    for (arguments, file) in [
+        (vec!["run", &program, "--samples", &program], program.as_str()),
+        (vec!["run", &program, "--samples", &around], &program),
+        (vec!["plot", &program, "-o", &program], &program),
+        (vec!["plot", &program, "--machine", &machine, "-o", &machine], &machine),
+        (vec!["view", &picture, "-o", &picture], &picture),
+        (vec!["import", &drawing, "-o", &drawing], &drawing),
+        (vec!["import", &drawing, "--machine", &machine, "-o", &machine], &machine),
+        (vec!["machine", "params", "export", "--machine", &machine, "-o", &machine], &machine),
+        (vec!["plc", "import", &ladder, "-o", &ladder], &ladder),
+        (
+            vec!["memory", "backup", memory_folder, "-o", database.to_str().unwrap()],
+            database.to_str().unwrap(),
+        ),
+    ] {
+        let before = std::fs::read(file).unwrap();
+        let answer = ferrocut(&arguments);
+        assert_eq!(answer.code, 2, "{arguments:?}: {} {}", answer.out, answer.err);
+        assert!(answer.err.contains("a file that the command reads"), "{arguments:?}: {}", answer.err);
+        assert!(std::fs::read(file).unwrap() == before, "{arguments:?} wrote");
+    }
+    // What is there and is none of them is replaced.
+    let other = write(&folder, "other.svg", "old");
+    assert_eq!(ferrocut(&["plot", &program, "-o", &other]).code, 0);
+    assert!(std::fs::read_to_string(&other).unwrap().contains("<svg"));
 }
 
 #[test]

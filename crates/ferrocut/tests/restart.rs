@@ -85,6 +85,9 @@ fn a_file_beside_the_program_is_named() {
     assert_eq!(answer.code, 0, "{}", answer.err);
     let report = json(&answer.out);
     assert_eq!((&report["restart"]["line"], &report["restart"]["position"]["x"]), (&json!(3), &json!(5.0)));
+    // The program itself may be named too.
+    let own = format!("{main}:1");
+    assert_eq!(ferrocut(&["run", main, "--dialect", "gsk990mc", "--from", &own]).code, 0);
     let answer = ferrocut(&["run", main, "--dialect", "gsk990mc", "--from", "three.nc:3"]);
     assert!(answer.code == 2 && answer.err.contains("three.nc"), "{}", answer.err);
 }

@@ -544,6 +544,8 @@ faults! {
     PictureFormat = 908,
     /// A setting of a plot that does not fit.
     PlotSetting = 909,
+    /// A result that would be written over what the command reads.
+    OutputIsInput = 910,
 
     // 1000: drawings
     /// A drawing that ends in the middle.

@@ -79,12 +79,12 @@ impl fmt::Display for ParameterKey {
     }
 }
 
-/// `0 … 999.9999`; none where there is no bound.
+/// `0 … 999.9999`, `≥ 0`; none where there is no bound.
 pub fn range(min: Option<f64>, max: Option<f64>) -> Option<String> {
     match (min, max) {
         (Some(min), Some(max)) => Some(format!("{min} … {max}")),
-        (Some(min), None) => Some(format!("{min} …")),
-        (None, Some(max)) => Some(format!("… {max}")),
+        (Some(min), None) => Some(format!("≥ {min}")),
+        (None, Some(max)) => Some(format!("≤ {max}")),
         (None, None) => None,
     }
 }

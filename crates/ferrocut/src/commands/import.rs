@@ -5,6 +5,7 @@ use crate::commands::layout::print;
 use crate::commands::view::picture_format;
 use crate::drawing::{FromDrawing, Made, Opened, Source};
 use crate::job::{Exit, Failure, Shop};
+use crate::outputs;
 use crate::view::{PathModel, render};
 use ferrocut_exchange::write::Ends;
 use ferrocut_exchange::{Change, Drawing, Format, Order, Settings, settings};
@@ -22,6 +23,9 @@ pub fn run(args: &ImportArgs) -> Result<Exit, Failure> {
         common.dialect = args.to.clone();
     }
     let shop = Shop::open(&common)?;
+    for output in args.output.iter().chain(&args.picture) {
+        outputs::check(output, common.files().chain([args.file.as_path()]))?;
+    }
     let (dialect, told) = shop.own_dialect()?;
     let picture = match &args.picture {
         None => None,

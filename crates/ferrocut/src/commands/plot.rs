@@ -4,6 +4,7 @@ use crate::cli::PlotArgs;
 use crate::commands::layout;
 use crate::commands::run::{Screen, drive, report_end};
 use crate::job::{Exit, Failure, Shop};
+use crate::outputs;
 use crate::plot::{Gauge, Peak, QUANTITIES, draw};
 use ferrocut_controller::{Clock, Cnc, State};
 use ferrocut_geometry::Axis;
@@ -48,6 +49,9 @@ impl JsonPeak {
 /// Runs the command.
 pub fn run(args: &PlotArgs) -> Result<Exit, Failure> {
     let shop = Shop::open(&args.common)?;
+    if let Some(output) = &args.output {
+        outputs::check(output, args.common.files().chain([args.file.as_path()]))?;
+    }
     let span = [args.from, args.to.unwrap_or(f64::INFINITY)];
     if span[0] >= span[1] {
         return Err(Failure::plot_setting("--to", &span[1].to_string()));

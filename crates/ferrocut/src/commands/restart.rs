@@ -61,6 +61,8 @@ pub fn prepare(cnc: &mut Cnc, shop: &Shop, from: &Place) -> Fallible<Lead> {
     let mut ahead = cnc.interpreter().clone();
     let file = match &from.file {
         None => FileId(0),
+        // The program itself, by its name.
+        Some(name) if *name == ahead.programs().file_name(FileId(0)) => FileId(0),
         Some(name) => ahead.file_named(name).ok_or_else(|| {
             let alarm = Alarm::core(Fault::FileUnreadable, Span::default());
             Box::new(alarm.with("file", name.as_str()))

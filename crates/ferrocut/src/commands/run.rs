@@ -4,6 +4,7 @@ use crate::cli::RunArgs;
 use crate::commands::restart::{self, JsonRestart};
 use crate::diagnostics::Diagnostics;
 use crate::job::{Exit, Failure, Shop};
+use crate::outputs;
 use crate::report::{self, JsonReport};
 use crate::samples::Samples;
 use crate::stdout;
@@ -44,7 +45,10 @@ pub fn run(args: &RunArgs) -> Result<Exit, Failure> {
     let is_json = shop.diagnostics.is_json();
     let mut samples = match &args.samples {
         None => None,
-        Some(path) => Some(Samples::create(path, &shop.machine, shop.options().start)?),
+        Some(path) => {
+            outputs::check(path, args.common.files().chain([args.file.as_path()]))?;
+            Some(Samples::create(path, &shop.machine, shop.options().start)?)
+        }
     };
     let samples_on_stdout = args.samples.as_deref() == Some(Path::new("-"));
     if !is_json && !samples_on_stdout {

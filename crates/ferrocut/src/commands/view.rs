@@ -2,6 +2,7 @@
 
 use crate::cli::ViewArgs;
 use crate::job::{Exit, Failure, Shop};
+use crate::outputs;
 use crate::view::{PathModel, Picture, render};
 use ferrocut_desk::finding::point_at_word;
 use std::path::Path;
@@ -9,6 +10,7 @@ use std::path::Path;
 /// Runs the command.
 pub fn run(args: &ViewArgs) -> Result<Exit, Failure> {
     let shop = Shop::open(&args.common)?;
+    outputs::check(&args.output, args.common.files().chain([args.file.as_path()]))?;
     let Some(format) = picture_format(&args.output) else {
         return Err(Failure::picture_format(&args.output.to_string_lossy()));
     };

@@ -16,6 +16,10 @@ const LOOKED_AT: usize = 1 << 17;
 /// slip of the pen.
 const PROOF_PERCENT: u64 = 2;
 
+/// The same where someone chose the language: what it cannot read is an alarm there, and so nothing is run by rules that it
+/// was not written for. One wrong code of a program must not have all of it judged by another control's rules.
+const FIRM_PROOF_PERCENT: u64 = 20;
+
 /// What a language makes of a text.
 #[derive(Clone, Copy, Debug)]
 struct Reading {
@@ -80,7 +84,8 @@ pub fn guess(
     let Some(own) = readings.iter().find(|r| std::ptr::eq(r.dialect, preferred)) else { return kept };
     let proves = |other: &Reading| {
         let told = own.unread.saturating_sub(other.vague);
-        told > 0 && told * 100 >= own.blocks * PROOF_PERCENT
+        let percent = if is_firm { FIRM_PROOF_PERCENT } else { PROOF_PERCENT };
+        told > 0 && told * 100 >= own.blocks * percent
     };
     // Of several that read it all, one that it proves, the one whose extension it has, else the first.
     let best = readings.iter().filter(|r| r.unread == 0).max_by_key(|r| {
@@ -219,6 +224,13 @@ mod tests {
         }
         assert_eq!(guessed(plain, "MMG", gsk, false), ("weihong", Reason::Extension));
         assert_eq!(guessed(plain, "mmg", gsk, true), ("gsk990mc", Reason::Preferred));
+    }
+
+    #[test]
+    fn one_wrong_code_is_an_alarm_of_the_language_that_was_chosen() {
+        let program = "G21 G90 G54\nM3 S1000\nG0 X0 Y0 Z5\nG93 G1 X10 F2\nG94\nM30\n";
+        assert_eq!(guessed(program, "nc", &gsk990mc::DIALECT, true), ("gsk990mc", Reason::Preferred));
+        assert_eq!(guessed(program, "nc", &gsk990mc::DIALECT, false).0, "rs274");
     }
 
     #[test]

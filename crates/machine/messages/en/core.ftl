@@ -252,6 +252,9 @@ FC-0906 = This version does not carry out the code
 FC-0907 = A file cannot be written
     .help = Check the path, the free space and the rights of the folder.
     .detail = { $file }: { $reason }
+FC-0910 = The output is a file that the command reads
+    .help = Give the output another name. Nothing was written.
+    .detail = { $file }
 
 FC-0706 = Variable #0 is always empty and cannot be set
     .help = Use another variable.

@@ -252,6 +252,9 @@ FC-0906 = Esta versión no ejecuta el código
 FC-0907 = No se puede escribir un archivo
     .help = Revise la ruta, el espacio libre y los permisos de la carpeta.
     .detail = { $file }: { $reason }
+FC-0910 = La salida es un archivo que la orden lee
+    .help = Dé otro nombre a la salida. No se ha escrito nada.
+    .detail = { $file }
 
 FC-0706 = La variable #0 está siempre vacía y no se le puede dar valor
     .help = Use otra variable.

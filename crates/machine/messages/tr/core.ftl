@@ -252,6 +252,9 @@ FC-0906 = Bu sürüm kodu yürütmüyor
 FC-0907 = Bir dosyaya yazılamıyor
     .help = Yolu, boş alanı ve klasörün izinlerini denetleyin.
     .detail = { $file }: { $reason }
+FC-0910 = Çıktı, komutun okuduğu bir dosya
+    .help = Çıktıya başka bir ad verin. Hiçbir şey yazılmadı.
+    .detail = { $file }
 
 FC-0706 = #0 değişkeni her zaman boştur, değer alamaz
     .help = Başka bir değişken kullanın.

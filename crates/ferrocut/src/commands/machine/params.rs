@@ -7,6 +7,7 @@ use crate::commands::explain::{self, Book, dialect_of, unusable};
 use crate::commands::layout::{print, table};
 use crate::commands::names::{self, complain, name_error, parameter_error, range};
 use crate::job::{Exit, Failure, Shop};
+use crate::outputs;
 use crate::stdout;
 use ferrocut_desk::memory_of;
 use ferrocut_desk::page::{meaning, parameter_json};
@@ -25,7 +26,10 @@ pub fn run(command: &ParamsCommand, common: &Common) -> Result<Exit, Failure> {
         ParamsCommand::Get(args) => get(&args.names, &Book::open(common)?),
         ParamsCommand::Set(args) => set(args, &Target::open(common, &args.machine)?),
         ParamsCommand::Check(args) => Ok(check(&args.machine, &Target::open(common, &args.machine)?)),
-        ParamsCommand::Export(args) => export(args, &Book::open(common)?),
+        ParamsCommand::Export(args) => {
+            outputs::check(&args.output, common.files())?;
+            export(args, &Book::open(common)?)
+        }
         ParamsCommand::Import(args) => import(args, &Target::open(common, &args.machine)?),
     }
 }

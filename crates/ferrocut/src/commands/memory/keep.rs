@@ -7,6 +7,7 @@ use super::{
 use crate::commands::layout::print;
 use crate::diagnostics::Diagnostics;
 use crate::job::{Exit, Failure};
+use crate::outputs;
 use ferrocut_interpreter::dialects;
 use ferrocut_machine::{Alarm, Fault};
 use ferrocut_memory::{Backup, Level, OpenError, Reader, Seat, Settings, Store, damage};
@@ -34,6 +35,9 @@ pub fn back_up(args: &BackupArgs, diagnostics: &Diagnostics) -> Result<Exit, Fai
     // What is damaged must not be handed on as a backup of something whole.
     damage::check(&args.folder).map_err(|error| unopened(&args.folder, &error))?;
     let reader = Reader::open(&args.folder).map_err(|error| unopened(&args.folder, &error))?;
+    let of_memory = std::fs::read_dir(&args.folder).into_iter().flatten().flatten().map(|file| file.path());
+    let of_memory: Vec<_> = of_memory.collect();
+    outputs::check(&args.output, of_memory.iter().map(|file| file.as_path()))?;
     let entries = reader.back_up(&args.output, &items(&args.item)).map_err(|error| refused(&error))?;
     let file = name(&args.output);
     let said = match diagnostics.is_json() {

@@ -4,11 +4,15 @@ use super::{ImportArgs, Source};
 use crate::commands::layout::print;
 use crate::diagnostics::Diagnostics;
 use crate::job::{Exit, Failure};
+use crate::outputs;
 use ferrocut_plc::{Limits, Program, list};
 use std::path::Path;
 
 /// Runs the command.
 pub fn run(args: &ImportArgs, diagnostics: Diagnostics) -> Result<Exit, Failure> {
+    if let Some(output) = &args.output {
+        outputs::check(output, [args.file.as_path()])?;
+    }
     let source = Source::open(&args.file)?;
     let (ladder, errors) = source.ladder();
     let text = list::to_text(&ladder);
