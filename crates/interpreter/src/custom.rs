@@ -254,7 +254,7 @@ impl Interpreter {
         let place = of_cycle.then(|| self.place_of_next_hole());
         let data = of_cycle.then(|| self.cycle.data());
         // I, J and K of a figure say where its holes are, of which each is a call by itself.
-        let is_own = self.cycle_kind() == Some(CycleKind::Own);
+        let is_own = self.is_own_cycle();
         let in_figure = of_cycle && self.cycle.is_in_figure();
         for (letter, variable) in programs.arguments {
             let word = self.words.get(*letter);

@@ -24,7 +24,7 @@ pub fn run(args: &ImportArgs) -> Result<Exit, Failure> {
     }
     let shop = Shop::open(&common)?;
     for output in args.output.iter().chain(&args.picture) {
-        outputs::check(output, common.files().chain([args.file.as_path()]))?;
+        outputs::check_beside(output, &args.file, &common)?;
     }
     let (dialect, told) = shop.own_dialect()?;
     let picture = match &args.picture {

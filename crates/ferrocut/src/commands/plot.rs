@@ -50,7 +50,7 @@ impl JsonPeak {
 pub fn run(args: &PlotArgs) -> Result<Exit, Failure> {
     let shop = Shop::open(&args.common)?;
     if let Some(output) = &args.output {
-        outputs::check(output, args.common.files().chain([args.file.as_path()]))?;
+        outputs::check_beside(output, &args.file, &args.common)?;
     }
     let span = [args.from, args.to.unwrap_or(f64::INFINITY)];
     if span[0] >= span[1] {

@@ -46,7 +46,7 @@ pub fn run(args: &RunArgs) -> Result<Exit, Failure> {
     let mut samples = match &args.samples {
         None => None,
         Some(path) => {
-            outputs::check(path, args.common.files().chain([args.file.as_path()]))?;
+            outputs::check_beside(path, &args.file, &args.common)?;
             Some(Samples::create(path, &shop.machine, shop.options().start)?)
         }
     };

@@ -10,7 +10,7 @@ use std::path::Path;
 /// Runs the command.
 pub fn run(args: &ViewArgs) -> Result<Exit, Failure> {
     let shop = Shop::open(&args.common)?;
-    outputs::check(&args.output, args.common.files().chain([args.file.as_path()]))?;
+    outputs::check_beside(&args.output, &args.file, &args.common)?;
     let Some(format) = picture_format(&args.output) else {
         return Err(Failure::picture_format(&args.output.to_string_lossy()));
     };

@@ -39,12 +39,12 @@ use pattern::Places;
 pub use rules::{NoDepth, Repeat, Restart, RigidSpeeds, Rules, Tapping};
 
 use crate::Fallible;
-use crate::dialect::Meaning;
+use crate::dialect::{GCode, Meaning};
 use crate::execute::{Part, Rest};
 use crate::interpreter::Interpreter;
 use crate::modal::Group;
 use crate::stages::units;
-use crate::words::letters;
+use crate::words::{Code, letters};
 use ferrocut_geometry::{Axis, AxisSet, Plane, Position, Turn};
 use ferrocut_machine::Fault;
 use ferrocut_program::Span;
@@ -249,6 +249,11 @@ impl Interpreter {
         }
     }
 
+    /// Whether the cycle in force is a program of the shop, for a code that the control lacks.
+    pub(crate) fn is_own_cycle(&self) -> bool {
+        self.cycle_kind() == Some(CycleKind::Own)
+    }
+
     /// Those of the axes of which the words are not the cycle's.
     pub(crate) fn axes_beside_cycle(&self, axes: AxisSet) -> AxisSet {
         let own = self.cycle_kind().map_or(AxisSet::EMPTY, CycleKind::own_axes);
@@ -286,7 +291,7 @@ impl Interpreter {
 
     /// A block while a cycle is in force.
     pub(crate) fn cycle_block(&mut self, axes: AxisSet, length: Option<Meaning>) -> Fallible<()> {
-        let is_own = self.cycle_kind() == Some(CycleKind::Own);
+        let is_own = self.is_own_cycle();
         if self.modal.plane() != Plane::Xy && !self.rules.cycles.in_any_plane && !is_own {
             return Err(self.alarm(Fault::CyclePlane, self.cycle_span()));
         }
@@ -304,7 +309,7 @@ impl Interpreter {
         let level_cuts =
             !(self.rules.cycles.boring_needs_axis && self.cycle_kind().is_some_and(CycleKind::bores));
         // A program of the shop is run by its code, whatever words stand there.
-        let is_called = is_own && self.words.g.iter().any(|code| code.row.group == Group::Cycle);
+        let is_called = is_own && self.cycle_code().is_some();
         if axes.is_empty() && !is_called && !(level_cuts && self.words.has_any(LEVEL_LETTER)) {
             // Nothing to cut; a change of tool length alone is made at once (GSK990MC 4.4.1 note 3).
             if self.length_words(length, axes)? {
@@ -443,7 +448,7 @@ impl Interpreter {
             self.cycle.z = Some(self.cycle.r.unwrap_or(self.cycle.initial) + depth);
         }
         // What they mean is for the program of the shop to say.
-        let is_own = self.cycle_kind() == Some(CycleKind::Own);
+        let is_own = self.is_own_cycle();
         if let Some(q) = self.words.get(b'Q') {
             // The sign is left aside (GSK990MC 4.4.4, 4.4.9).
             self.cycle.q = Some(if is_own { mm(q) } else { mm(q).abs() });
@@ -465,8 +470,12 @@ impl Interpreter {
     }
 
     pub(crate) fn cycle_span(&self) -> Span {
-        let code = self.words.g.iter().find(|g| g.row.group == Group::Cycle);
-        code.map_or(self.words.block_span(), |g| g.span)
+        self.cycle_code().map_or(self.words.block_span(), |code| code.span)
+    }
+
+    /// The code of a cycle in the block.
+    pub(crate) fn cycle_code(&self) -> Option<&Code<GCode>> {
+        self.words.g.iter().find(|code| code.row.group == Group::Cycle)
     }
 
     /// The levels R and bottom; `None` where one is missing, and the tool is positioned only

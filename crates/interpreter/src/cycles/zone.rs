@@ -221,8 +221,7 @@ impl Interpreter {
             return Err(self.alarm(Fault::NotInCutter, self.cycle_span()));
         }
         if defines.is_some() && self.described.other_cycles {
-            let code = self.words.g.iter().find(|code| code.row.group == Group::Cycle);
-            let word = code.map(|code| format!("G{}", code.row.tenths / 10)).unwrap_or_default();
+            let word = self.cycle_code().map(|code| format!("G{}", code.row.tenths / 10)).unwrap_or_default();
             return Err(Box::new(self.alarm(Fault::NotSupported, self.cycle_span()).with("word", word)));
         }
         let moves = self.block_moves(axes);

@@ -35,9 +35,8 @@ pub fn back_up(args: &BackupArgs, diagnostics: &Diagnostics) -> Result<Exit, Fai
     // What is damaged must not be handed on as a backup of something whole.
     damage::check(&args.folder).map_err(|error| unopened(&args.folder, &error))?;
     let reader = Reader::open(&args.folder).map_err(|error| unopened(&args.folder, &error))?;
-    let of_memory = std::fs::read_dir(&args.folder).into_iter().flatten().flatten().map(|file| file.path());
-    let of_memory: Vec<_> = of_memory.collect();
-    outputs::check(&args.output, of_memory.iter().map(|file| file.as_path()))?;
+    let of_memory = std::fs::read_dir(&args.folder).into_iter().flatten().flatten();
+    outputs::check(&args.output, of_memory.map(|file| file.path()))?;
     let entries = reader.back_up(&args.output, &items(&args.item)).map_err(|error| refused(&error))?;
     let file = name(&args.output);
     let said = match diagnostics.is_json() {

@@ -11,7 +11,7 @@ use std::path::Path;
 /// Runs the command.
 pub fn run(args: &ImportArgs, diagnostics: Diagnostics) -> Result<Exit, Failure> {
     if let Some(output) = &args.output {
-        outputs::check(output, [args.file.as_path()])?;
+        outputs::check(output, [&args.file])?;
     }
     let source = Source::open(&args.file)?;
     let (ladder, errors) = source.ladder();
