@@ -17,12 +17,12 @@ import { programs } from "../../lib/state/programs.svelte.js";
 import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/pages/program/Directory.svelte
-var root = $.from_html(`<input class="filter s-1l9uiap" type="search"/> <!> <!> <!> <input type="file" multiple="" hidden="" data-testid="upload"/>`, 1);
-var root_1 = $.from_html(`<i class="s-1l9uiap"></i>`);
-var root_2 = $.from_html(`<tr draggable="true"><td><button type="button" class="name code s-1l9uiap"> <!><!><!></button></td><td class="comment s-1l9uiap"> </td><td class="right"> </td><td class="muted"> </td></tr>`);
+var root = $.from_html(`<input class="filter s-qvxyhd" type="search"/> <!> <!> <!> <input type="file" multiple="" hidden="" data-testid="upload"/>`, 1);
+var root_1 = $.from_html(`<i class="s-qvxyhd"></i>`);
+var root_2 = $.from_html(`<tr draggable="true"><td><button type="button" class="name code s-qvxyhd"> <!><!><!></button></td><td class="comment s-qvxyhd"> </td><td class="right"> </td><td class="muted"> </td></tr>`);
 var root_3 = $.from_html(`<span> </span>`);
-var root_4 = $.from_html(`<table class="table"><thead><tr><th> </th><th> </th><th class="right"> </th><th> </th></tr></thead><tbody></tbody></table> <p class="muted total s-1l9uiap" data-testid="capacity"> <!> <!> <!></p>`, 1);
-var root_5 = $.from_html(`<div class="preview s-1l9uiap"><div class="row wrap"><strong class="code"> </strong> <span class="grow muted comment s-1l9uiap"> </span> <!> <!></div> <div class="text s-1l9uiap"><!></div> <div class="row wrap"><a class="download s-1l9uiap"><!> </a> <!> <!> <!> <span class="grow"></span> <!></div></div>`);
+var root_4 = $.from_html(`<table class="table"><thead><tr><th> </th><th> </th><th class="right"> </th><th> </th></tr></thead><tbody></tbody></table> <p class="muted total s-qvxyhd" data-testid="capacity"> <!> <!> <!></p>`, 1);
+var root_5 = $.from_html(`<div class="preview s-qvxyhd"><div class="row wrap"><strong class="code"> </strong> <span class="grow muted comment s-qvxyhd"> </span> <!> <!></div> <div class="text s-qvxyhd"><!></div> <div class="row wrap"><a class="download s-qvxyhd"><!> </a> <!> <!> <!> <span class="grow"></span> <!></div></div>`);
 var root_6 = $.from_html(`<!> <!>`, 1);
 var root_7 = $.from_html(`<input class="code" autocapitalize="characters" placeholder="O0001" data-testid="new-name"/>`);
 var root_8 = $.from_html(`<form id="new-program"><!></form>`);
@@ -339,7 +339,7 @@ function Directory($$anchor, $$props) {
 						$.reset(tr_1);
 						$.template_effect(($0, $1) => {
 							$.set_attribute(tr_1, "data-program", $.get(one).name);
-							classes_1 = $.set_class(tr_1, 1, "s-1l9uiap", null, classes_1, { chosen: $.get(one).name === $.get(chosen)?.name });
+							classes_1 = $.set_class(tr_1, 1, "s-qvxyhd", null, classes_1, { chosen: $.get(one).name === $.get(chosen)?.name });
 							$.set_text(text_7, $.get(one).name);
 							$.set_text(text_8, $.get(one).comment);
 							$.set_text(text_9, $0);
@@ -809,7 +809,7 @@ function Directory($$anchor, $$props) {
 		});
 	}
 	$.template_effect(($0) => {
-		classes = $.set_class(div, 1, "directory s-1l9uiap", null, classes, { over: $.get(over) });
+		classes = $.set_class(div, 1, "directory s-qvxyhd", null, classes, { over: $.get(over) });
 		$.set_attribute(div, "data-loaded", programs.list !== null);
 		$.set_attribute(div, "aria-label", $0);
 	}, [() => t("program.directory")]);
