@@ -138,7 +138,7 @@ function reply(command: Sent & { program?: string }, options: Options): object {
     case 'variables':
       return { reply: 'variables', variables: { 100: 1.5 } };
     case 'parameters':
-      return { reply: 'parameters', parameters: options.parameters ?? {} };
+      return { reply: 'parameters', parameters: options.parameters ?? {}, given: [], left_to_file: [] };
     case 'signals':
       return { reply: 'signals', signals: {} };
     case 'signal_table':

@@ -856,6 +856,10 @@ pub enum Reply {
     Parameters {
         /// By name.
         parameters: BTreeMap<String, f64>,
+        /// Those that somebody has set, here, in the machine file or in a program, be it as delivered.
+        given: Vec<String>,
+        /// Those that say nothing of the machine until somebody sets them: its file does.
+        left_to_file: Vec<String>,
     },
     /// The rights in force.
     Level {

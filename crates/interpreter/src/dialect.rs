@@ -22,6 +22,7 @@ use ferrocut_machine::restart::RestartConfig;
 use ferrocut_machine::{AlarmId, Fault, Machine, ParameterKey, Parameters, WorkOffset};
 use ferrocut_program::{Block, Page, Syntax};
 use ferrocut_toolpath::CornerRule;
+use std::collections::BTreeSet;
 
 /// What a G code means, in terms common to all controls.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -769,15 +770,36 @@ impl Dialect {
     /// Whether a machine that was built with the parameters `before` would be another one with those of `now`: these hold
     /// from the next power-on. Found by building it, so that a parameter counts where it makes a difference.
     pub fn builds_another(&self, machine: &Machine, before: &Parameters, now: &Parameters) -> bool {
-        let built = |parameters: &Parameters| {
-            let mut built = machine.clone();
-            (self.machine_parameters)(parameters, &mut built);
-            // Read anew for each restart, and feeds are held by what their parameters are now.
-            built.restart = RestartConfig::default();
-            (built.path.lowest_feed, built.path.highest_feed) = (0.0, None);
-            built
+        self.built(machine, before) != self.built(machine, now)
+    }
+
+    /// The machine that the parameters make of what the file says, as far as it is made at power-on.
+    fn built(&self, machine: &Machine, parameters: &Parameters) -> Machine {
+        let mut built = machine.clone();
+        (self.machine_parameters)(parameters, &mut built);
+        // Read anew for each restart, and feeds are held by what their parameters are now.
+        built.restart = RestartConfig::default();
+        (built.path.lowest_feed, built.path.highest_feed) = (0.0, None);
+        built
+    }
+
+    /// Those of `among` that say nothing of the machine as long as nobody has set them, since its file does: set to the value
+    /// that they have they would make another one of it.
+    pub fn left_to_file(
+        &self,
+        machine: &Machine,
+        parameters: &Parameters,
+        among: impl Iterator<Item = ParameterKey>,
+    ) -> Vec<ParameterKey> {
+        let built = self.built(machine, parameters);
+        let given: BTreeSet<&ParameterKey> = parameters.given().map(|(key, _)| key).collect();
+        let is_left = |key: &ParameterKey| {
+            let mut set = parameters.clone();
+            !given.contains(key)
+                && set.set(key, parameters.get(key)).is_ok()
+                && self.built(machine, &set) != built
         };
-        built(before) != built(now)
+        among.filter(is_left).collect()
     }
 
     /// The alarm of a fault of axis `index`, where it has sides on its lower or upper one.

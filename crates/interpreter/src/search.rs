@@ -202,7 +202,9 @@ impl Interpreter {
         self.memory.make_change(change);
         match change {
             MemoryChange::WorkOffset(..) => self.zeros_changed(),
-            MemoryChange::Parameter(..) | MemoryChange::ReferencePoint(..) => self.parameters_changed(),
+            MemoryChange::Parameter(..)
+            | MemoryChange::AsDelivered(..)
+            | MemoryChange::ReferencePoint(..) => self.parameters_changed(),
             _ => {}
         }
     }

@@ -12,6 +12,8 @@ use std::collections::{BTreeMap, BTreeSet};
 pub enum MemoryChange {
     /// A parameter, in the unit of the control's list.
     Parameter(ParameterKey, f64),
+    /// A parameter that is as delivered again, and the value of that.
+    AsDelivered(ParameterKey, f64),
     /// A row of the tool offset table.
     ToolOffset(u16, ToolOffset),
     /// A tool of the library; none where it was taken out.
@@ -29,8 +31,10 @@ pub enum MemoryChange {
 impl MemoryChange {
     /// Whether both are of the same value.
     pub fn is_of(&self, other: &MemoryChange) -> bool {
+        if let (Some(one), Some(other)) = (self.parameter(), other.parameter()) {
+            return one == other;
+        }
         match (self, other) {
-            (MemoryChange::Parameter(one, _), MemoryChange::Parameter(other, _)) => one == other,
             (MemoryChange::ToolOffset(one, _), MemoryChange::ToolOffset(other, _)) => one == other,
             (MemoryChange::Tool(one, _), MemoryChange::Tool(other, _)) => one == other,
             (MemoryChange::WorkOffset(one, _), MemoryChange::WorkOffset(other, _)) => one == other,
@@ -38,6 +42,13 @@ impl MemoryChange {
             (MemoryChange::Named(one, _), MemoryChange::Named(other, _)) => one == other,
             (MemoryChange::ReferencePoint(one, _), MemoryChange::ReferencePoint(other, _)) => one == other,
             _ => false,
+        }
+    }
+
+    fn parameter(&self) -> Option<&ParameterKey> {
+        match self {
+            MemoryChange::Parameter(key, _) | MemoryChange::AsDelivered(key, _) => Some(key),
+            _ => None,
         }
     }
 }
@@ -69,13 +80,13 @@ impl Memory {
     }
 
     fn parameter_changes(&self, other: &Memory, changes: &mut Vec<MemoryChange>) {
-        let keys: BTreeSet<ParameterKey> =
-            self.parameters.changed().chain(other.parameters.changed()).map(|(key, _)| key).collect();
+        let keys: BTreeSet<&ParameterKey> =
+            self.parameters.given().chain(other.parameters.given()).map(|(key, _)| key).collect();
         // Other names of offsets and reference points are told as those.
         for key in keys.into_iter().filter(|key| self.place(key).is_none()) {
-            let value = other.parameters.get(&key);
-            if self.parameters.get(&key) != value {
-                changes.push(MemoryChange::Parameter(key, value));
+            let value = other.parameters.get(key);
+            if self.parameters.get(key) != value {
+                changes.push(MemoryChange::Parameter(key.clone(), value));
             }
         }
     }
@@ -112,6 +123,11 @@ impl Memory {
     pub fn make_change(&mut self, change: &MemoryChange) {
         match change {
             MemoryChange::Parameter(key, value) => drop(self.set_parameter(key, *value)),
+            MemoryChange::AsDelivered(key, value) => {
+                if self.set_parameter(key, *value).is_ok() {
+                    self.parameters.take_back(key, *value);
+                }
+            }
             MemoryChange::ToolOffset(row, value) => {
                 if let Some(row) = self.tools.get_mut(*row) {
                     *row = *value;

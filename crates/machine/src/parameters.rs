@@ -507,8 +507,8 @@ impl Values {
 pub struct Parameters {
     table: &'static ParameterTable,
     values: Values,
-    /// All those of a control without a list.
-    others: BTreeMap<ParameterKey, f64>,
+    /// What somebody has set, be it to the value as delivered; of a control without a list all that there is.
+    given: BTreeMap<ParameterKey, f64>,
 }
 
 impl Parameters {
@@ -531,7 +531,7 @@ impl Parameters {
 
     /// The values as delivered.
     pub fn new(table: &'static ParameterTable) -> Parameters {
-        Parameters { table, values: table.delivered.clone(), others: BTreeMap::new() }
+        Parameters { table, values: table.delivered.clone(), given: BTreeMap::new() }
     }
 
     /// The list of the control.
@@ -556,7 +556,7 @@ impl Parameters {
         let key = ParameterKey::Named(name.to_ascii_uppercase().into());
         match self.place_of(&key) {
             Some(place) => self.values.named.get(place).copied(),
-            None => self.others.get(&key).copied(),
+            None => self.given.get(&key).copied(),
         }
     }
 
@@ -596,10 +596,15 @@ impl Parameters {
         if let Some(slot) = self.place_of(key).and_then(|place| self.values.named.get_mut(place)) {
             *slot = value;
         }
-        if self.table.is_open() {
-            self.others.insert(key.clone(), value);
-        }
+        self.given.insert(key.clone(), value);
         Ok(())
+    }
+
+    /// A parameter has the value that it is delivered with, and nobody has set it.
+    pub fn take_back(&mut self, key: &ParameterKey, delivered: f64) {
+        if self.set(key, delivered).is_ok() {
+            self.given.remove(key);
+        }
     }
 
     fn check_open(&self, key: &ParameterKey, value: f64) -> Result<(), ParameterError> {
@@ -615,7 +620,7 @@ impl Parameters {
         if !value.is_finite() {
             return Err(ParameterError::OutOfRange { name: name(), value, min: None, max: None });
         }
-        if self.others.len() >= LARGEST_OPEN_TABLE && !self.others.contains_key(key) {
+        if self.given.len() >= LARGEST_OPEN_TABLE && !self.given.contains_key(key) {
             return Err(ParameterError::TooMany);
         }
         Ok(())
@@ -626,11 +631,9 @@ impl Parameters {
         self.table.iter().map(|definition| (definition, self.get(&definition.key)))
     }
 
-    /// What differs from the values as delivered; of a control without a list, all that was set.
-    pub fn changed(&self) -> impl Iterator<Item = (ParameterKey, f64)> {
-        let listed = self.iter().filter(|(d, value)| d.default != *value).map(|(d, v)| (d.key.clone(), v));
-        let open = self.others.iter().filter(|_| self.table.is_open()).map(|(k, v)| (k.clone(), *v));
-        listed.chain(open)
+    /// What somebody has set, be it to the value as delivered.
+    pub fn given(&self) -> impl Iterator<Item = (&ParameterKey, f64)> {
+        self.given.iter().map(|(key, value)| (key, *value))
     }
 }
 
@@ -700,7 +703,7 @@ mod tests {
         p.set(&key("P018.4"), 1.0).unwrap();
         p.set(&key("P24.0"), 1.0).unwrap();
         assert!(p.bit(18, 4) && !p.bit(18, 5) && p.bit(24, 0));
-        let names: Vec<_> = p.changed().map(|(key, _)| p.table().name(&key)).collect();
+        let names: Vec<_> = p.given().map(|(key, _)| p.table().name(key)).collect();
         assert_eq!(names, ["P018.4", "P024.0"]);
         assert_eq!(
             p.set(&key("P018.4"), 2.0).unwrap_err().to_string(),
@@ -720,7 +723,7 @@ mod tests {
             assert_eq!(definition.check(value), Ok(()), "{}", definition.key);
             assert!(!definition.symbol.is_empty());
         }
-        assert_eq!(gsk().changed().count(), 0);
+        assert_eq!(gsk().given().count(), 0);
     }
 
     #[test]
@@ -732,8 +735,12 @@ mod tests {
         p.set(&key("NO40.7"), 0.0).unwrap();
         assert_eq!(p.data(270), 1.5);
         assert!(!p.bit(40, 7) && p.bit(40, 0) == gsk().bit(40, 0));
-        let changed: Vec<_> = p.changed().map(|(k, v)| format!("{k}={v}")).collect();
-        assert_eq!(changed, ["NO40.7=0", "P270=1.5"]);
+        // What is set to the value as delivered was set all the same.
+        p.set(&key("P87"), 300.0).unwrap();
+        let given = |p: &Parameters| p.given().map(|(k, v)| format!("{k}={v}")).collect::<Vec<_>>();
+        assert_eq!(given(&p), ["NO40.7=0", "P87=300", "P270=1.5"]);
+        p.take_back(&key("P270"), 2.0);
+        assert_eq!((p.data(270), given(&p)), (2.0, vec!["NO40.7=0".to_owned(), "P87=300".to_owned()]));
     }
 
     #[test]
@@ -752,7 +759,7 @@ mod tests {
             let error = p.set(&key(name), value).unwrap_err().to_string();
             assert!(error.starts_with(says), "{error}");
         }
-        assert_eq!(p.changed().count(), 0);
+        assert_eq!(p.given().count(), 0);
         // The printed ranges of P339 and P340 are each other's; no range is printed of P380.
         assert!(p.set(&key("P340"), 65.0).is_err() && p.set(&key("P339"), -99.0).is_ok());
         assert_eq!(p.set(&key("P380"), 64.0), Ok(()));
@@ -793,7 +800,7 @@ mod tests {
         assert_eq!(p.named("FIXEDCYCLE_BACK"), Some(1.0));
         assert_eq!(p.named("SAFEHEIGHT"), None);
         assert_eq!((p.data(230), p.bit(24, 0), p.bit(24, 1)), (50.0, true, false));
-        assert_eq!(p.changed().count(), 3);
+        assert_eq!(p.given().count(), 3);
         assert!(p.set(&key("P1.0"), 0.5).is_err() && p.set(&key("P1"), f64::NAN).is_err());
         assert!(p.set(&ParameterKey::Data(10_000), 1.0).is_err());
     }

@@ -12,7 +12,7 @@ use crate::table::{
 };
 use ferrocut_geometry::{Axis, Position};
 use ferrocut_machine::setup::VariableName;
-use ferrocut_machine::{Memory, ParameterKey, Place, ToolOffset, ToolTable, WorkOffset};
+use ferrocut_machine::{Memory, ParameterKey, Parameters, Place, ToolOffset, ToolTable, WorkOffset};
 use std::collections::HashSet;
 
 /// The database, and what is needed to judge changes.
@@ -21,6 +21,8 @@ pub struct Applier {
     pub database: Database,
     /// Parameters with their present values, to judge new ones by and to know which change is protected.
     judge: Memory,
+    /// Parameters that nobody has set.
+    delivered: Parameters,
     control: String,
 }
 
@@ -31,9 +33,16 @@ impl Applier {
     /// Takes a database over.
     pub fn new(database: Database, control: &str) -> Result<Applier, Error> {
         let judge = Memory::new(control);
-        let mut applier = Applier { database, judge, control: control.to_owned() };
+        let delivered = judge.parameters.clone();
+        let mut applier = Applier { database, judge, delivered, control: control.to_owned() };
         applier.read_parameters()?;
         Ok(applier)
+    }
+
+    /// Takes these as the parameters that nobody has set.
+    pub fn deliver(&mut self, delivered: Parameters) -> Result<(), Error> {
+        self.delivered = delivered;
+        self.read_parameters()
     }
 
     /// Reads the parameters again, after changes were taken back or restored.
@@ -44,6 +53,7 @@ impl Applier {
             Ok(())
         })?;
         self.judge = Memory::new(&self.control);
+        self.judge.parameters = self.delivered.clone();
         for (key, value) in stored {
             // A parameter that this version of the list refuses keeps its row and does not count.
             let _ = self.judge.parameters.set(&key, value);
@@ -166,8 +176,7 @@ impl Applier {
                 named(self.database.get(&PROGRAM, &[name.as_str().into()])?.is_some(), name)
             }
             Change::Parameter { key, value } => {
-                let delivered = || self.delivered(key);
-                let value = value.unwrap_or_else(delivered);
+                let value = value.unwrap_or_else(|| self.delivered.get(key));
                 self.judge.parameters.check(key, value).map_err(Error::Parameter)
             }
             Change::Offset { number, offset } => {
@@ -220,10 +229,6 @@ impl Applier {
             | Change::ClearAlarms
             | Change::ClearLog => Ok(()),
         }
-    }
-
-    fn delivered(&self, key: &ParameterKey) -> f64 {
-        self.judge.parameters.table().get(key).map_or(0.0, |row| row.default)
     }
 
     /// Writes a change that was checked, and what the log says of it.
@@ -385,7 +390,7 @@ impl Applier {
         key: &ParameterKey,
         value: Option<f64>,
     ) -> Result<(), Error> {
-        let delivered = self.delivered(key);
+        let delivered = self.delivered.get(key);
         let new = value.unwrap_or(delivered);
         // Who changed a parameter is always worth knowing.
         log.all = true;
@@ -398,9 +403,8 @@ impl Applier {
         }
         let row = rows::parameter_row(key, new);
         let old = self.number(&PARAMETER, &row)?.unwrap_or(delivered);
-        // Where the control has no list, what was set to 0 is not what was never set.
-        let is_delivered = value.is_none() || (new == delivered && !self.judge.parameters.table().is_open());
-        self.put_unless(&PARAMETER, &row, is_delivered, Item::Parameters)?;
+        // What is set to the value as delivered holds with another machine file too.
+        self.put_unless(&PARAMETER, &row, value.is_none(), Item::Parameters)?;
         // It was checked.
         let _ = self.judge.parameters.set(key, new);
         log.numbers(self, Item::Parameters, &name, old, new)

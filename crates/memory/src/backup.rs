@@ -70,7 +70,7 @@ struct Tail {
 pub struct BackupEntry {
     /// The item.
     pub item: Item,
-    /// Rows: programs, parameters that are not as delivered, offsets …
+    /// Rows: programs, parameters that somebody has set, offsets …
     pub rows: u64,
 }
 

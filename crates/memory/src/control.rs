@@ -72,12 +72,12 @@ fn in_order<'a>(
 pub fn changes(before: &Memory, after: &Memory, kept: RangeInclusive<u32>) -> Vec<Change> {
     let mut changes = Vec::new();
     let keys: BTreeSet<_> =
-        before.parameters.changed().chain(after.parameters.changed()).map(|(key, _)| key).collect();
+        before.parameters.given().chain(after.parameters.given()).map(|(key, _)| key).collect();
     for key in keys {
         // What is another name of a zero is kept as the zero.
-        let value = after.parameters.get(&key);
-        if after.place(&key).is_none() && before.parameters.get(&key) != value {
-            changes.push(Change::Parameter { key, value: Some(value) });
+        let value = after.parameters.get(key);
+        if after.place(key).is_none() && before.parameters.get(key) != value {
+            changes.push(Change::Parameter { key: key.clone(), value: Some(value) });
         }
     }
     let used: BTreeSet<u16> =

@@ -510,7 +510,7 @@ pub enum Change {
 pub struct Contents {
     /// Programs by name.
     pub programs: BTreeMap<String, Program>,
-    /// Parameters that are not as delivered.
+    /// Parameters that somebody has set.
     pub parameters: BTreeMap<ParameterKey, f64>,
     /// Tool offsets that are not zero.
     pub offsets: BTreeMap<u16, ToolOffset>,

@@ -13,7 +13,7 @@ use crate::rows;
 use crate::snapshot;
 use crate::table::{PROGRAM, Row};
 use crate::writer::{self, Answer, Job};
-use ferrocut_machine::{Alarm, Fault};
+use ferrocut_machine::{Alarm, Fault, Parameters};
 use ferrocut_program::Span;
 use std::fs::{self, File};
 use std::path::{Path, PathBuf};
@@ -269,6 +269,12 @@ impl Store {
         let (answer, wait) = sync_channel(1);
         self.send(Job::Flush(answer))?;
         wait.recv().unwrap_or(Err(Error::Closed))
+    }
+
+    /// Parameters that nobody has set have these values from now on: those of the machine file beside those of the
+    /// control's list.
+    pub fn deliver(&self, parameters: &Parameters) -> Result<(), Error> {
+        self.send(Job::Deliver(parameters.clone()))
     }
 
     /// Does other work in a commit of its own.

@@ -128,7 +128,7 @@ pub const PROGRAM: Table = Table {
     ],
 };
 
-/// Parameters that are not as delivered, in the unit of the control's list: `P270`, `NO43.1`.
+/// Parameters that somebody has set, in the unit of the control's list: `P270`, `NO43.1`.
 pub const PARAMETER: Table =
     Table { name: "parameter", keys: 1, columns: &[("name", Text), ("value", Real)] };
 

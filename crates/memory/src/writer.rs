@@ -8,6 +8,7 @@ use crate::author::Author;
 use crate::error::Error;
 use crate::items::{Change, now};
 use crate::mark::Mark;
+use ferrocut_machine::Parameters;
 use std::sync::mpsc::{Receiver, SyncSender, TryRecvError, sync_channel};
 use std::thread::JoinHandle;
 
@@ -41,6 +42,8 @@ pub enum Job {
         /// Who wants to know.
         answer: SyncSender<Answer>,
     },
+    /// Parameters that nobody has set have these values.
+    Deliver(Parameters),
     /// Answers when all before it is durable, with the first error that nobody waited for.
     Flush(SyncSender<Answer>),
     /// Ends the writer.
@@ -92,6 +95,11 @@ impl Writer {
                 Job::Task { task, answer } => {
                     let done = self.within_commit(|applier| task(applier));
                     let _ = answer.send(done);
+                }
+                Job::Deliver(parameters) => {
+                    if let Err(error) = self.applier.deliver(parameters) {
+                        self.unheard.get_or_insert(error);
+                    }
                 }
                 Job::Flush(answer) => {
                     let done = self.unheard.take().map_or(Ok(self.applier.database.commits()), Err);

@@ -13,7 +13,9 @@ use crate::api::Event;
 use crate::cnc::Tick;
 use ferrocut_geometry::{Axis, AxisSet, Position};
 use ferrocut_interpreter::Interpreter;
-use ferrocut_machine::{Alarm, Fault, Memory, MemoryChange, ParameterKey, ToolOffset, WorkOffset};
+use ferrocut_machine::{
+    Alarm, Fault, Memory, MemoryChange, ParameterKey, Parameters, ToolOffset, WorkOffset,
+};
 use ferrocut_memory::control::{ENTERED, KEPT_VARIABLES, changes, enter};
 use ferrocut_memory::{
     AlarmEntry, Author, Change, Counter, InterruptedRun, Item, LastPosition, Pending, PlcArea, SessionNote,
@@ -33,8 +35,6 @@ const SLOW_S: f64 = 1.0;
 /// The durable memory of a running control.
 pub(super) struct Keeping {
     pub store: Arc<Store>,
-    /// The memory before anything that was kept.
-    delivered: Memory,
     /// What is on the disk, or on its way there.
     kept: Memory,
     /// Changes of the program that were looked at.
@@ -114,7 +114,7 @@ impl Keeping {
             Item::Ladder,
         ]);
         let contents = store.reader().contents(&items).map_err(|error| error.alarm())?;
-        let delivered = memory.clone();
+        store.deliver(&memory.parameters).map_err(|error| error.alarm())?;
         // What this control does not take stays in the memory, for one that does.
         let _ = enter(&contents, memory);
         let of = |counter| contents.counters.get(&counter).copied().unwrap_or(0.0);
@@ -135,7 +135,6 @@ impl Keeping {
         }
         let keeping = Keeping {
             store,
-            delivered,
             kept: memory.clone(),
             writes: 0,
             plc: kept_plc,
@@ -346,7 +345,7 @@ impl Control {
         let mut items = ENTERED.to_vec();
         items.extend([Item::Counters, Item::Interrupted, Item::Plc, Item::Pitch, Item::Ladder]);
         let contents = keeping.store.reader().contents(&items).map_err(|error| error.alarm())?;
-        let mut memory = keeping.delivered.clone();
+        let mut memory = self.delivered.clone();
         let _ = enter(&contents, &mut memory);
         // What no backup has is as it was.
         let present = self.cnc.interpreter().memory();
@@ -501,7 +500,7 @@ impl Control {
 
     /// Makes a change where the control has what it is of.
     fn make(&mut self, change: &Change) {
-        if let Some(change) = memory_change(change, self.cnc.interpreter().memory()) {
+        if let Some(change) = memory_change(change, &self.delivered.parameters) {
             self.cnc.change_memory(change);
         }
         if matches!(change, Change::Parameter { .. }) {
@@ -559,7 +558,8 @@ impl Control {
 }
 
 /// A change of what programs see of the memory.
-fn memory_change(change: &Change, memory: &Memory) -> Option<MemoryChange> {
+/// One of a parameter goes back to the one of `delivered`, be it that of the list or that of the machine file.
+fn memory_change(change: &Change, delivered: &Parameters) -> Option<MemoryChange> {
     use ferrocut_machine::setup::VariableName;
     Some(match change {
         Change::Offset { number, offset } => MemoryChange::ToolOffset(*number, *offset),
@@ -570,9 +570,13 @@ fn memory_change(change: &Change, memory: &Memory) -> Option<MemoryChange> {
         Change::Variable { name: VariableName::Named(name), value } => {
             MemoryChange::Named(name[..].into(), *value)
         }
-        Change::Parameter { key, value } => {
-            let delivered = || ferrocut_machine::Parameters::new(memory.parameters.table()).get(key);
-            MemoryChange::Parameter(key.clone(), value.unwrap_or_else(delivered))
+        Change::Parameter { key, value: Some(value) } => MemoryChange::Parameter(key.clone(), *value),
+        Change::Parameter { key, value: None } => {
+            let value = delivered.get(key);
+            match delivered.given().any(|(given, _)| given == key) {
+                true => MemoryChange::Parameter(key.clone(), value),
+                false => MemoryChange::AsDelivered(key.clone(), value),
+            }
         }
         Change::ReferencePoint { number, position } => {
             MemoryChange::ReferencePoint(usize::from(*number).checked_sub(1)?, *position)

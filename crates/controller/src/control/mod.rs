@@ -137,7 +137,12 @@ pub struct Control {
     at_limits: Vec<(Axis, bool, Alarm)>,
     /// The parameters that the machine was built with, and whether those of now would make another one of it.
     built_with: Parameters,
+    /// What it remembers before anybody has set anything: the machine file's parameters and the set-up are in it.
+    delivered: Memory,
     needs_power_off: bool,
+    /// Parameters that say nothing of the machine until somebody sets them: as delivered, and, once that was asked, now.
+    may_be_left: Vec<ParameterKey>,
+    left_to_file: Option<Vec<ParameterKey>>,
     /// Axes that are moved back from their travel switches while the alarm of these stands.
     leaves: AxisSet,
     /// Relative coordinates are counted from this machine position.
@@ -185,6 +190,7 @@ impl Control {
             Some(memory) => memory,
             None => as_delivered(machine)?,
         };
+        let delivered = memory.clone();
         let library = match &parts.store {
             Some(store) => Library::Kept(store.clone()),
             None => Library::Held(Arc::new(Mutex::new(BTreeMap::new()))),
@@ -233,6 +239,8 @@ impl Control {
             interpreter.take_up_work_system(system);
         }
         let built_with = interpreter.memory().parameters.clone();
+        let all = delivered.parameters.table().iter().map(|row| row.key.clone());
+        let may_be_left = dialect.left_to_file(machine, &delivered.parameters, all);
         let drives = match parts.drives {
             Some(drives) => drives,
             None => machine::drives(machine, &interpreter, referenced.unwrap_or(AxisSet::EMPTY))?,
@@ -295,7 +303,10 @@ impl Control {
             at_limits: Vec::new(),
             leaves: AxisSet::EMPTY,
             built_with,
+            delivered,
             needs_power_off: false,
+            may_be_left,
+            left_to_file: None,
             origin: Position::ZERO,
             tick,
             moving: AxisSet::EMPTY,

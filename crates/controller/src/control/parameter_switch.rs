@@ -4,7 +4,7 @@
 use super::{Control, alarm};
 use crate::api::{Event, Reply};
 use crate::signals::Mode;
-use ferrocut_machine::{Alarm, Fault};
+use ferrocut_machine::{Alarm, Fault, ParameterKey};
 use ferrocut_memory::Author;
 
 /// How the switch stands.
@@ -54,6 +54,7 @@ impl Control {
     /// until it is as before (alarm 0000 of the GSK990MC). It stops nothing: the machine is the one that it was, and the
     /// manual says no more than that the power is to be cut once.
     pub(super) fn parameters_changed(&mut self) {
+        self.left_to_file = None;
         let interpreter = self.cnc.interpreter();
         let now = &interpreter.memory().parameters;
         let needed = interpreter.dialect().builds_another(&self.machine, &self.built_with, now);
@@ -66,6 +67,14 @@ impl Control {
             (true, false) if !self.is_alarmed() => self.event(Event::AlarmsCleared),
             _ => {}
         }
+    }
+
+    /// The parameters that say nothing of the machine as they are, since nobody has set them.
+    pub(super) fn left_to_file(&mut self) -> &[ParameterKey] {
+        let interpreter = self.cnc.interpreter();
+        let (dialect, now) = (interpreter.dialect(), &interpreter.memory().parameters);
+        let (machine, may_be) = (&self.machine, &self.may_be_left);
+        self.left_to_file.get_or_insert_with(|| dialect.left_to_file(machine, now, may_be.iter().cloned()))
     }
 
     /// The warning that stands until the power is cut.

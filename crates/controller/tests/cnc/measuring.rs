@@ -417,7 +417,7 @@ fn a_tool_is_measured_on_the_setter_and_the_setter_by_a_known_tool() {
         block([setter[0] - reach, setter[1] - reach, -400.0], [setter[0] + reach, setter[1] + reach, top]);
     let mut shop = among(&[body], [setter[0], setter[1], -60.0]);
     let parameter = |shop: &mut Shop, name: &str| {
-        let Reply::Parameters { parameters } = shop.say(Command::Parameters { names: vec![name.into()] })
+        let Reply::Parameters { parameters, .. } = shop.say(Command::Parameters { names: vec![name.into()] })
         else {
             panic!()
         };

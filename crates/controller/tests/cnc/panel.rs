@@ -351,7 +351,7 @@ fn the_keys_of_the_spindle_turn_it_only_where_the_ladder_lets_it() {
     mill.key("KEY_SP_CCW", true);
     let jogged = mill.wait(300).spindle.actual;
     let jog_rpm = match mill.say(Command::Parameters { names: vec!["P242".into()] }) {
-        Reply::Parameters { parameters } => parameters["P242"],
+        Reply::Parameters { parameters, .. } => parameters["P242"],
         other => panic!("{other:?}"),
     };
     assert_eq!(jogged.round(), -jog_rpm);

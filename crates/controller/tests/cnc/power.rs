@@ -856,7 +856,7 @@ fn rights_are_asked_before_anything_happens() {
 
 fn shown<const N: usize>(control: &mut Control, names: [&str; N]) -> [f64; N] {
     let asked = Command::Parameters { names: names.map(str::to_owned).to_vec() };
-    let Reply::Parameters { parameters } = say(control, asked) else { panic!() };
+    let Reply::Parameters { parameters, .. } = say(control, asked) else { panic!() };
     names.map(|name| parameters[name])
 }
 
@@ -938,4 +938,88 @@ fn what_cycles_ask_of_a_tool_is_entered_within_its_range_and_kept() {
     let row = offsets[&7];
     assert_eq!((row.cutting_length, row.entry_angle, row.tip_radius), (Some(22.0), Some(3.0), Some(0.75)));
     assert_eq!((row.length, row.radius), (Some(0.0), Some(0.0)));
+}
+
+/// What somebody sets is kept as that, be it the value of the control's list; as delivered is what the machine file says.
+#[test]
+fn parameters_of_the_machine_file_hold_until_one_is_set_and_when_it_is_taken_back() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut machine = Machine::demo_mill();
+    machine.parameters.insert("P86".into(), 1500.0);
+    machine.parameters.insert("NO27.0".into(), 1.0);
+    let power_on = || {
+        let store = Arc::new(Store::open(folder.path(), Settings::new("gsk990mc")).unwrap());
+        Control::new(&machine, Parts { store: Some(store), ..Parts::default() }).unwrap()
+    };
+    let set = |control: &mut Control, value| {
+        let set = Command::SetParameter { name: "P86".into(), value };
+        control.command(set, &Author::Control).unwrap();
+        control.flush().unwrap();
+    };
+    let mut one = power_on();
+    assert_eq!(shown(&mut one, ["P86"]), [1500.0]);
+    // 27#0 of the machine file forbids persons as if they had set it.
+    let store = Command::Store { program: "O80001".into(), text: "M30\n".into() };
+    assert!(one.command(store, &person()).is_err());
+    // The list's own value.
+    set(&mut one, Some(5000.0));
+    drop(one);
+    let mut two = power_on();
+    assert_eq!(shown(&mut two, ["P86"]), [5000.0]);
+    set(&mut two, None);
+    assert_eq!(shown(&mut two, ["P86"]), [1500.0]);
+    drop(two);
+    assert_eq!(shown(&mut power_on(), ["P86"]), [1500.0]);
+}
+
+/// A parameter that the machine file goes before says so until somebody sets it, then it holds from the next power-on.
+#[test]
+fn parameters_that_nobody_has_set_are_left_to_the_machine_file() {
+    let folder = tempfile::tempdir().unwrap();
+    let left = |control: &mut Control| {
+        let Reply::Parameters { left_to_file, .. } = say(control, Command::Parameters { names: vec![] })
+        else {
+            panic!()
+        };
+        left_to_file
+    };
+    let is_given = |control: &mut Control| {
+        let Reply::Parameters { given, .. } = say(control, Command::Parameters { names: vec!["P88".into()] })
+        else {
+            panic!()
+        };
+        given
+    };
+    let mut one = control(folder.path());
+    let of_file = left(&mut one);
+    for name in ["P88", "P94", "P105", "P125", "NO17.1"] {
+        assert!(of_file.iter().any(|left| left == name), "{name} {of_file:?}");
+    }
+    for name in ["P86", "P96", "P98", "P100", "P270"] {
+        assert!(!of_file.iter().any(|left| left == name), "{name} {of_file:?}");
+    }
+    // As delivered, but set.
+    one.command(Command::SetParameter { name: "P88".into(), value: Some(5000.0) }, &Author::Control).unwrap();
+    assert!(!left(&mut one).contains(&"P88".to_owned()));
+    assert_eq!(is_given(&mut one), ["P88"]);
+    assert!(one.status().alarms.iter().any(|alarm| alarm.id == "gsk990mc:0000"));
+    one.flush().unwrap();
+    drop(one);
+    let rapid = |control: &mut Control| {
+        mode(control, Mode::Mdi);
+        say(control, Command::Mdi { text: "G91 G0 X100".into() });
+        start(control, Mode::Mdi);
+        wait(control, 250);
+        let speed = control.status().feed.actual;
+        wait(control, 5000);
+        speed
+    };
+    let mut two = control(folder.path());
+    assert!(two.status().alarms.is_empty());
+    assert_eq!(rapid(&mut two), 5000.0);
+    two.command(Command::SetParameter { name: "P88".into(), value: None }, &Author::Control).unwrap();
+    assert!(left(&mut two).contains(&"P88".to_owned()) && is_given(&mut two).is_empty());
+    two.flush().unwrap();
+    drop(two);
+    assert!(rapid(&mut control(folder.path())) > 9000.0);
 }

@@ -773,7 +773,15 @@ variables: { [key in number]: number }, } | { "reply": "parameters",
 /**
  * By name.
  */
-parameters: { [key in string]: number }, } | { "reply": "level",
+parameters: { [key in string]: number },
+/**
+ * Those that somebody has set, here, in the machine file or in a program, be it as delivered.
+ */
+given: Array<string>,
+/**
+ * Those that say nothing of the machine until somebody sets them: its file does.
+ */
+left_to_file: Array<string>, } | { "reply": "level",
 /**
  * 1 to 5.
  */

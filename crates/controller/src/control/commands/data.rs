@@ -153,7 +153,8 @@ impl Control {
         Reply::Variables { variables: within.take(MOST_VALUES).collect() }
     }
 
-    pub(super) fn parameters(&self, names: &[String]) -> Answer {
+    pub(super) fn parameters(&mut self, names: &[String]) -> Answer {
+        let left = self.left_to_file().to_vec();
         let memory = self.cnc.interpreter().memory();
         let mut parameters = BTreeMap::new();
         if names.is_empty() {
@@ -169,7 +170,11 @@ impl Control {
             }
             parameters.insert(name.clone(), memory.parameter(&key));
         }
-        Ok(Reply::Parameters { parameters })
+        let table = memory.parameters.table();
+        let names = |key: &ParameterKey| Some(table.name(key)).filter(|name| parameters.contains_key(name));
+        let given = memory.parameters.given().filter_map(|(key, _)| names(key)).collect();
+        let left_to_file = left.iter().filter_map(names).collect();
+        Ok(Reply::Parameters { parameters, given, left_to_file })
     }
 
     pub(super) fn set_parameter(&mut self, name: &str, value: Option<f64>, author: &Author) -> Answer {

@@ -19,8 +19,7 @@ pub fn machine_parameters(parameters: &Parameters, machine: &mut Machine) {
     corners(parameters, &mut machine.path);
     feeds(parameters, &mut machine.path);
     let by = machine.servo.acceleration_by_parameters;
-    let changed: Vec<(ParameterKey, f64)> = parameters.changed().collect();
-    let selects = |of: Of| by.unwrap_or_else(|| changed.iter().any(|(key, _)| of == Of::key(key)));
+    let selects = |of: Of| by.unwrap_or_else(|| parameters.given().any(|(key, _)| of == Of::key(key)));
     let is_linear = selects(Of::Cutting) && path(parameters, &mut machine.path);
     if selects(Of::Clamp) {
         clamp(parameters, &mut machine.path);
@@ -32,7 +31,7 @@ pub fn machine_parameters(parameters: &Parameters, machine: &mut Machine) {
     }
     for (k, name) in (0u16..).zip(parameters.axis_names()) {
         let Some(axis) = machine.axes.iter_mut().find(|axis| axis.name == name) else { continue };
-        rapid_speed(&changed, k, axis);
+        rapid_speed(parameters, k, axis);
         if is_linear {
             axis.before_cutting = Some(Ramp { acceleration: axis.acceleration, jerk: 0.0 });
         }
@@ -74,10 +73,10 @@ impl Of {
 
 /// P88 to P92, P94: G00 of axis `k` is no faster than they say, where somebody has set them; as delivered they are
 /// those of no machine in particular.
-fn rapid_speed(changed: &[(ParameterKey, f64)], k: u16, axis: &mut AxisConfig) {
+fn rapid_speed(parameters: &Parameters, k: u16, axis: &mut AxisConfig) {
     let of_axis = [88 + k, 94].map(ParameterKey::Data);
-    for (_, speed) in changed.iter().filter(|(key, speed)| of_axis.contains(key) && *speed > 0.0) {
-        axis.rapid = axis.rapid.min(*speed);
+    for (_, speed) in parameters.given().filter(|(key, speed)| of_axis.contains(key) && *speed > 0.0) {
+        axis.rapid = axis.rapid.min(speed);
     }
 }
 
