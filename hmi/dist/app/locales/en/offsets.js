@@ -28,6 +28,7 @@ var offsets_default = {
 	"standard": "As delivered",
 	"right": "Right",
 	"to_standard": "As delivered",
+	"left_to_file": "The machine file's value holds until this one is set.",
 	"unused": "This version of the control does nothing with it.",
 	"need": "Needs level {level}, {name}: log in first.",
 	"need_mdi": "Parameters are changed in MDI.",

@@ -28,6 +28,7 @@ var offsets_default = {
 	"standard": "De fábrica",
 	"right": "Permiso",
 	"to_standard": "Restaurar valor",
+	"left_to_file": "Rige el valor del archivo de máquina hasta que se ajuste este.",
 	"unused": "Esta versión del control no lo usa.",
 	"need": "Requiere nivel {level}, {name}: inicie sesión.",
 	"need_mdi": "Los parámetros se cambian en MDI.",

@@ -28,6 +28,7 @@ var offsets_default = {
 	"standard": "Fabrika değeri",
 	"right": "Yetki",
 	"to_standard": "Fabrika değerine dön",
+	"left_to_file": "Bu ayarlanana kadar makine dosyasındaki değer geçerlidir.",
 	"unused": "Bu sürüm onu kullanmıyor.",
 	"need": "Düzey {level} ({name}) gerekir: önce oturum açın.",
 	"need_mdi": "Parametreler MDI modunda değiştirilir.",

@@ -28,6 +28,7 @@ var offsets_default = {
 	"standard": "出厂值",
 	"right": "权限",
 	"to_standard": "恢复出厂值",
+	"left_to_file": "设置本参数之前，以机床文件中的值为准。",
 	"unused": "此版本的系统不使用该参数。",
 	"need": "需要 {level} 级（{name}）：请先登录。",
 	"need_mdi": "参数在 MDI 方式下修改。",

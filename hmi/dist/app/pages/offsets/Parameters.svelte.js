@@ -22,11 +22,11 @@ var root_7 = $.from_html(`<span class="muted"> </span>`);
 var root_8 = $.from_html(`<p> </p> <!> <dl class="s-1cvhlgy"><dt class="s-1cvhlgy"> </dt><dd class="number s-1cvhlgy"> </dd> <dt class="s-1cvhlgy"> </dt><dd class="number s-1cvhlgy"> </dd> <dt class="s-1cvhlgy"> </dt><dd class="s-1cvhlgy"> </dd></dl> <!>`, 1);
 var root_9 = $.from_html(`<small class="standard s-1cvhlgy"> </small>`);
 var root_10 = $.from_html(`<p class="unused s-1cvhlgy"> </p>`);
-var root_11 = $.from_html(`<li class="s-1cvhlgy"><button type="button" class="bit code s-1cvhlgy" role="switch"> </button> <div><strong class="code"> </strong><!> <p class="s-1cvhlgy"> </p> <!></div></li>`);
+var root_11 = $.from_html(`<li class="s-1cvhlgy"><button type="button" class="bit code s-1cvhlgy" role="switch"> </button> <div><strong class="code"> </strong><!> <p class="s-1cvhlgy"> </p> <!> <!></div></li>`);
 var root_12 = $.from_html(`<ul class="s-1cvhlgy"></ul>`);
 var root_13 = $.from_html(`<p class="muted"> </p>`);
 var root_14 = $.from_html(`<p class="need"> </p>`);
-var root_15 = $.from_html(`<div class="detail stack scroll" data-testid="parameter"><h2 class="code"> <!></h2> <!> <!> <!> <!></div>`);
+var root_15 = $.from_html(`<div class="detail stack scroll" data-testid="parameter"><h2 class="code"> <!></h2> <!> <!> <!> <!> <!></div>`);
 var root_16 = $.from_html(`<p class="muted count s-1cvhlgy"> </p>`);
 var root_17 = $.from_html(`<div class="parameters s-1cvhlgy"><!> <!></div> <!>`, 1);
 function Parameters($$anchor, $$props) {
@@ -34,6 +34,8 @@ function Parameters($$anchor, $$props) {
 	let all = $.state([]);
 	let loaded = $.state(false);
 	let values = $.state({});
+	let given = $.state(/* @__PURE__ */ new Set());
+	let left = $.state(/* @__PURE__ */ new Set());
 	let kind = $.state("all");
 	let sought = $.state("");
 	let changedOnly = $.state(false);
@@ -52,7 +54,10 @@ function Parameters($$anchor, $$props) {
 			do: "parameters",
 			names: []
 		}).then((reply) => {
-			if (reply) $.set(values, reply.parameters);
+			if (!reply) return;
+			$.set(values, reply.parameters);
+			$.set(given, new Set(reply.given));
+			$.set(left, new Set(reply.left_to_file));
 		});
 	});
 	$.user_effect(() => {
@@ -224,7 +229,7 @@ function Parameters($$anchor, $$props) {
 		});
 	}
 	var node_5 = $.sibling(node, 2);
-	var consequent_10 = ($$anchor) => {
+	var consequent_12 = ($$anchor) => {
 		var div_2 = root_15();
 		var h2 = $.child(div_2);
 		var text_9 = $.child(h2, true);
@@ -300,7 +305,7 @@ function Parameters($$anchor, $$props) {
 					$$slots: { default: true }
 				});
 			};
-			var d = $.derived(() => value($.get(current).name, $.get(current).standard) !== $.get(current).standard);
+			var d = $.derived(() => $.get(given).has($.get(current).name) || value($.get(current).name, $.get(current).standard) !== $.get(current).standard);
 			$.if(node_9, ($$render) => {
 				if ($.get(d)) $$render(consequent_2);
 			});
@@ -353,6 +358,17 @@ function Parameters($$anchor, $$props) {
 				$.if(node_11, ($$render) => {
 					if (!$.get(bit).used) $$render(consequent_5);
 				});
+				var node_12 = $.sibling(node_11, 2);
+				var consequent_6 = ($$anchor) => {
+					var p_4 = root_10();
+					var text_24 = $.only_child(p_4, true);
+					$.template_effect(($0) => $.set_text(text_24, $0), [() => t("offsets.left_to_file")]);
+					$.append($$anchor, p_4);
+				};
+				var d_2 = $.derived(() => $.get(left).has($.get(bit).name));
+				$.if(node_12, ($$render) => {
+					if ($.get(d_2)) $$render(consequent_6);
+				});
 				$.reset(div_3);
 				$.reset(li);
 				$.template_effect(() => {
@@ -372,66 +388,77 @@ function Parameters($$anchor, $$props) {
 			if ($.get(current).kind === "data") $$render(consequent_3);
 			else $$render(alternate_1, -1);
 		});
-		var node_12 = $.sibling(node_7, 2);
-		var consequent_6 = ($$anchor) => {
-			var p_4 = root_13();
-			var text_24 = $.only_child(p_4, true);
-			$.template_effect(($0) => $.set_text(text_24, $0), [() => t("offsets.unused")]);
-			$.append($$anchor, p_4);
-		};
-		$.if(node_12, ($$render) => {
-			if ($.get(current).kind === "data" && !$.get(current).used) $$render(consequent_6);
-		});
-		var node_13 = $.sibling(node_12, 2);
+		var node_13 = $.sibling(node_7, 2);
 		var consequent_7 = ($$anchor) => {
-			var p_5 = root_14();
+			var p_5 = root_13();
 			var text_25 = $.only_child(p_5, true);
-			$.template_effect(($0) => $.set_text(text_25, $0), [() => t("offsets.need", {
-				level: $.get(current).level,
-				name: t(`rights.level_${$.get(current).level}`)
-			})]);
+			$.template_effect(($0) => $.set_text(text_25, $0), [() => t("offsets.unused")]);
 			$.append($$anchor, p_5);
 		};
 		$.if(node_13, ($$render) => {
-			if ($.get(level) > $.get(current).level) $$render(consequent_7);
+			if ($.get(current).kind === "data" && !$.get(current).used) $$render(consequent_7);
 		});
 		var node_14 = $.sibling(node_13, 2);
 		var consequent_8 = ($$anchor) => {
-			var p_6 = root_14();
+			var p_6 = root_13();
 			var text_26 = $.only_child(p_6, true);
-			$.template_effect(($0) => $.set_text(text_26, $0), [() => t("offsets.need_mdi")]);
+			$.template_effect(($0) => $.set_text(text_26, $0), [() => t("offsets.left_to_file")]);
 			$.append($$anchor, p_6);
 		};
+		var d_3 = $.derived(() => $.get(left).has($.get(current).name));
+		$.if(node_14, ($$render) => {
+			if ($.get(d_3)) $$render(consequent_8);
+		});
+		var node_15 = $.sibling(node_14, 2);
 		var consequent_9 = ($$anchor) => {
 			var p_7 = root_14();
 			var text_27 = $.only_child(p_7, true);
-			$.template_effect(($0) => $.set_text(text_27, $0), [() => t("offsets.need_switch")]);
+			$.template_effect(($0) => $.set_text(text_27, $0), [() => t("offsets.need", {
+				level: $.get(current).level,
+				name: t(`rights.level_${$.get(current).level}`)
+			})]);
 			$.append($$anchor, p_7);
 		};
-		$.if(node_14, ($$render) => {
-			if (machine.status?.mode !== "mdi") $$render(consequent_8);
-			else if (machine.status.switches.parameters === false) $$render(consequent_9, 1);
+		$.if(node_15, ($$render) => {
+			if ($.get(level) > $.get(current).level) $$render(consequent_9);
+		});
+		var node_16 = $.sibling(node_15, 2);
+		var consequent_10 = ($$anchor) => {
+			var p_8 = root_14();
+			var text_28 = $.only_child(p_8, true);
+			$.template_effect(($0) => $.set_text(text_28, $0), [() => t("offsets.need_mdi")]);
+			$.append($$anchor, p_8);
+		};
+		var consequent_11 = ($$anchor) => {
+			var p_9 = root_14();
+			var text_29 = $.only_child(p_9, true);
+			$.template_effect(($0) => $.set_text(text_29, $0), [() => t("offsets.need_switch")]);
+			$.append($$anchor, p_9);
+		};
+		$.if(node_16, ($$render) => {
+			if (machine.status?.mode !== "mdi") $$render(consequent_10);
+			else if (machine.status.switches.parameters === false) $$render(consequent_11, 1);
 		});
 		$.reset(div_2);
 		$.template_effect(() => $.set_text(text_9, $.get(current).name));
 		$.append($$anchor, div_2);
 	};
 	$.if(node_5, ($$render) => {
-		if ($.get(current)) $$render(consequent_10);
+		if ($.get(current)) $$render(consequent_12);
 	});
 	$.reset(div);
-	var node_15 = $.sibling(div, 2);
-	var consequent_11 = ($$anchor) => {
-		var p_8 = root_16();
-		var text_28 = $.only_child(p_8, true);
-		$.template_effect(($0) => $.set_text(text_28, $0), [() => t("offsets.count", {
+	var node_17 = $.sibling(div, 2);
+	var consequent_13 = ($$anchor) => {
+		var p_10 = root_16();
+		var text_30 = $.only_child(p_10, true);
+		$.template_effect(($0) => $.set_text(text_30, $0), [() => t("offsets.count", {
 			n: number($.get(shown).length),
 			all: number($.get(all).length)
 		})]);
-		$.append($$anchor, p_8);
+		$.append($$anchor, p_10);
 	};
-	$.if(node_15, ($$render) => {
-		if ($.get(all).length) $$render(consequent_11);
+	$.if(node_17, ($$render) => {
+		if ($.get(all).length) $$render(consequent_13);
 	});
 	$.append($$anchor, fragment);
 	$.pop();
