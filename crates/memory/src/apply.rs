@@ -12,7 +12,7 @@ use crate::table::{
 };
 use ferrocut_geometry::{Axis, Position};
 use ferrocut_machine::setup::VariableName;
-use ferrocut_machine::{Memory, ParameterKey, Parameters, Place, ToolOffset, ToolTable, WorkOffset};
+use ferrocut_machine::{Memory, ParameterKey, Place, ToolOffset, ToolTable, WorkOffset};
 use std::collections::HashSet;
 
 /// The database, and what is needed to judge changes.
@@ -21,8 +21,8 @@ pub struct Applier {
     pub database: Database,
     /// Parameters with their present values, to judge new ones by and to know which change is protected.
     judge: Memory,
-    /// Parameters that nobody has set.
-    delivered: Parameters,
+    /// What it is as long as nobody has set anything.
+    delivered: Memory,
     control: String,
 }
 
@@ -33,14 +33,13 @@ impl Applier {
     /// Takes a database over.
     pub fn new(database: Database, control: &str) -> Result<Applier, Error> {
         let judge = Memory::new(control);
-        let delivered = judge.parameters.clone();
-        let mut applier = Applier { database, judge, delivered, control: control.to_owned() };
+        let mut applier = Applier { database, delivered: judge.clone(), judge, control: control.to_owned() };
         applier.read_parameters()?;
         Ok(applier)
     }
 
-    /// Takes these as the parameters that nobody has set.
-    pub fn deliver(&mut self, delivered: Parameters) -> Result<(), Error> {
+    /// Takes this as the memory in which nobody has set anything.
+    pub fn deliver(&mut self, delivered: Memory) -> Result<(), Error> {
         self.delivered = delivered;
         self.read_parameters()
     }
@@ -52,8 +51,7 @@ impl Applier {
             stored.extend(rows::parameter(&row));
             Ok(())
         })?;
-        self.judge = Memory::new(&self.control);
-        self.judge.parameters = self.delivered.clone();
+        self.judge = self.delivered.clone();
         for (key, value) in stored {
             // A parameter that this version of the list refuses keeps its row and does not count.
             let _ = self.judge.parameters.set(&key, value);
@@ -176,7 +174,7 @@ impl Applier {
                 named(self.database.get(&PROGRAM, &[name.as_str().into()])?.is_some(), name)
             }
             Change::Parameter { key, value } => {
-                let value = value.unwrap_or_else(|| self.delivered.get(key));
+                let value = value.unwrap_or_else(|| self.delivered.parameters.get(key));
                 self.judge.parameters.check(key, value).map_err(Error::Parameter)
             }
             Change::Offset { number, offset } => {
@@ -269,7 +267,7 @@ impl Applier {
             Change::Pitch { axis, point, value } => {
                 let row = rows::pitch_row(*axis, *point, *value);
                 let old = self.number(&PITCH, &row)?.unwrap_or(0.0);
-                self.put_unless(&PITCH, &row, *value == 0.0, Item::Pitch)?;
+                self.put(&PITCH, &row, Item::Pitch)?;
                 log.numbers(self, Item::Pitch, &format!("{} {point}", axis.name()), old, *value)
             }
             Change::Plc { area, first, bytes } => self.write_signals(&log, *area, *first, bytes),
@@ -341,18 +339,22 @@ impl Applier {
         self.drop_oldest(&LOG, limits::LOG)
     }
 
-    /// Writes a row, or takes it out where it holds what no row stands for.
+    /// Takes a row out where it stands for nothing, else writes it.
     fn put_unless(
         &mut self,
+        is_nothing: bool,
         table: &'static Table,
         row: &[Cell],
-        is_nothing: bool,
         item: Item,
     ) -> Result<(), Error> {
-        if is_nothing {
-            let key = row.get(..table.keys).unwrap_or(row);
-            return self.database.delete(table, key).map(drop);
+        match is_nothing {
+            true => self.database.delete(table, row.get(..table.keys).unwrap_or(row)).map(drop),
+            false => self.put(table, row, item),
         }
+    }
+
+    /// Writes a row. One of zeros too: a set-up or machine file may have something else for who has set nothing.
+    fn put(&mut self, table: &'static Table, row: &[Cell], item: Item) -> Result<(), Error> {
         self.database.put(table, row)?;
         match self.database.count(table) > rows::most_rows(item) {
             true => Err(Error::Full(item)),
@@ -379,7 +381,7 @@ impl Applier {
         program.created = old.as_ref().map_or(log.time, |old| old.created);
         program.changed = log.time;
         program.locked = old.as_ref().and_then(|old| old.locked);
-        self.put_unless(&PROGRAM, &rows::program_row(name, &program), false, Item::Programs)?;
+        self.put(&PROGRAM, &rows::program_row(name, &program), Item::Programs)?;
         let size = old.map_or(String::new(), |old| old.text.len().to_string());
         log.changed(self, Item::Programs, name, size, program.text.len().to_string())
     }
@@ -390,7 +392,7 @@ impl Applier {
         key: &ParameterKey,
         value: Option<f64>,
     ) -> Result<(), Error> {
-        let delivered = self.delivered.get(key);
+        let delivered = self.delivered.parameters.get(key);
         let new = value.unwrap_or(delivered);
         // Who changed a parameter is always worth knowing.
         log.all = true;
@@ -404,7 +406,7 @@ impl Applier {
         let row = rows::parameter_row(key, new);
         let old = self.number(&PARAMETER, &row)?.unwrap_or(delivered);
         // What is set to the value as delivered holds with another machine file too.
-        self.put_unless(&PARAMETER, &row, value.is_none(), Item::Parameters)?;
+        self.put_unless(value.is_none(), &PARAMETER, &row, Item::Parameters)?;
         // It was checked.
         let _ = self.judge.parameters.set(key, new);
         log.numbers(self, Item::Parameters, &name, old, new)
@@ -416,31 +418,32 @@ impl Applier {
                 .database
                 .get(&WORK_ZERO, &[name.to_string().into()])?
                 .and_then(|row| rows::zero(&row))
-                .map_or(Position::ZERO, |(_, zero)| zero),
+                .map_or_else(|| self.delivered.work.get(name).unwrap_or_default(), |(_, zero)| zero),
             Place::Reference(n) => self
                 .database
                 .get(&REFERENCE_POINT, &[Cell::Whole(n as i64 + 1)])?
                 .and_then(|row| rows::reference(&row))
-                .map_or(Position::ZERO, |(_, point)| point),
+                .map_or_else(
+                    || self.delivered.reference_points.get(n).copied().unwrap_or_default(),
+                    |row| row.1,
+                ),
         })
     }
 
     fn put_position(&mut self, place: Place, position: &Position) -> Result<(), Error> {
-        let is_zero = *position == Position::ZERO;
         match place {
-            Place::Work(name) => {
-                self.put_unless(&WORK_ZERO, &rows::zero_row(name, position), is_zero, Item::WorkZeros)
-            }
+            Place::Work(name) => self.put(&WORK_ZERO, &rows::zero_row(name, position), Item::WorkZeros),
             Place::Reference(n) => {
                 let row = rows::reference_row(u8::try_from(n + 1).unwrap_or(u8::MAX), position);
-                self.put_unless(&REFERENCE_POINT, &row, is_zero, Item::ReferencePoints)
+                self.put(&REFERENCE_POINT, &row, Item::ReferencePoints)
             }
         }
     }
 
     fn offset(&self, number: u16) -> Result<ToolOffset, Error> {
         let row = self.database.get(&TOOL_OFFSET, &[number.into()])?;
-        Ok(row.and_then(|row| rows::offset(&row)).map_or(ToolOffset::ZERO, |(_, offset)| offset))
+        let delivered = || self.delivered.tools.get(number).copied().unwrap_or(ToolOffset::ZERO);
+        Ok(row.and_then(|row| rows::offset(&row)).map_or_else(delivered, |(_, offset)| offset))
     }
 
     fn write_offset(&mut self, log: &Log, number: u16, offset: &ToolOffset) -> Result<(), Error> {
@@ -448,8 +451,7 @@ impl Applier {
             true => self.offset(number)?,
             false => ToolOffset::ZERO,
         };
-        let is_zero = *offset == ToolOffset::ZERO;
-        self.put_unless(&TOOL_OFFSET, &rows::offset_row(number, offset), is_zero, Item::Offsets)?;
+        self.put(&TOOL_OFFSET, &rows::offset_row(number, offset), Item::Offsets)?;
         for ((name, from), (_, to)) in rows::offset_values(&old).into_iter().zip(rows::offset_values(offset))
         {
             log.numbers(self, Item::Offsets, &format!("{number} {name}"), from, to)?;
@@ -485,7 +487,7 @@ impl Applier {
             true => self.number(&VARIABLE, &row)?,
             false => None,
         };
-        self.put_unless(&VARIABLE, &row, value.is_none(), Item::Variables)?;
+        self.put_unless(value.is_none(), &VARIABLE, &row, Item::Variables)?;
         let shown = |value: Option<f64>| value.map_or(String::new(), |value| value.to_string());
         log.changed(self, Item::Variables, &rows::variable_name(name), shown(old), shown(value))
     }
@@ -545,7 +547,7 @@ impl Applier {
                 before.push(std::mem::replace(to, *from));
             }
             let number = u16::try_from(block).unwrap_or(u16::MAX);
-            self.put_unless(&SIGNAL, &rows::signal_row(area, number, kept), false, Item::Plc)?;
+            self.put(&SIGNAL, &rows::signal_row(area, number, kept), Item::Plc)?;
             (at, left) = (at + now.len(), rest);
         }
         Ok(before)
@@ -605,7 +607,7 @@ impl Applier {
 
     /// Writes a row of a backup.
     pub fn restore_row(&mut self, item: Item, row: &Row) -> Result<(), Error> {
-        self.put_unless(rows::table(item), row, false, item)
+        self.put(rows::table(item), row, item)
     }
 
     /// Merges a history with that of a backup: both in the order of time, what is in both once, the newest kept.

@@ -13,7 +13,7 @@ use crate::rows;
 use crate::snapshot;
 use crate::table::{PROGRAM, Row};
 use crate::writer::{self, Answer, Job};
-use ferrocut_machine::{Alarm, Fault, Parameters};
+use ferrocut_machine::{Alarm, Fault, Memory};
 use ferrocut_program::Span;
 use std::fs::{self, File};
 use std::path::{Path, PathBuf};
@@ -271,10 +271,10 @@ impl Store {
         wait.recv().unwrap_or(Err(Error::Closed))
     }
 
-    /// Parameters that nobody has set have these values from now on: those of the machine file beside those of the
-    /// control's list.
-    pub fn deliver(&self, parameters: &Parameters) -> Result<(), Error> {
-        self.send(Job::Deliver(parameters.clone()))
+    /// What nobody has set is as in `memory` from now on: parameters as the machine file has them beside those of the
+    /// control's list, offsets and zeros as the set-up has them.
+    pub fn deliver(&self, memory: &Memory) -> Result<(), Error> {
+        self.send(Job::Deliver(Box::new(memory.clone())))
     }
 
     /// Does other work in a commit of its own.

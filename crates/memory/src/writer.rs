@@ -8,7 +8,7 @@ use crate::author::Author;
 use crate::error::Error;
 use crate::items::{Change, now};
 use crate::mark::Mark;
-use ferrocut_machine::Parameters;
+use ferrocut_machine::Memory;
 use std::sync::mpsc::{Receiver, SyncSender, TryRecvError, sync_channel};
 use std::thread::JoinHandle;
 
@@ -42,8 +42,8 @@ pub enum Job {
         /// Who wants to know.
         answer: SyncSender<Answer>,
     },
-    /// Parameters that nobody has set have these values.
-    Deliver(Parameters),
+    /// What nobody has set is as in this.
+    Deliver(Box<Memory>),
     /// Answers when all before it is durable, with the first error that nobody waited for.
     Flush(SyncSender<Answer>),
     /// Ends the writer.
@@ -96,8 +96,8 @@ impl Writer {
                     let done = self.within_commit(|applier| task(applier));
                     let _ = answer.send(done);
                 }
-                Job::Deliver(parameters) => {
-                    if let Err(error) = self.applier.deliver(parameters) {
+                Job::Deliver(memory) => {
+                    if let Err(error) = self.applier.deliver(*memory) {
                         self.unheard.get_or_insert(error);
                     }
                 }

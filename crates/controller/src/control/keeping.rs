@@ -114,7 +114,7 @@ impl Keeping {
             Item::Ladder,
         ]);
         let contents = store.reader().contents(&items).map_err(|error| error.alarm())?;
-        store.deliver(&memory.parameters).map_err(|error| error.alarm())?;
+        store.deliver(memory).map_err(|error| error.alarm())?;
         // What this control does not take stays in the memory, for one that does.
         let _ = enter(&contents, memory);
         let of = |counter| contents.counters.get(&counter).copied().unwrap_or(0.0);

@@ -4,7 +4,7 @@ use crate::common::random::Random;
 use ferrocut_controller::api::{Command, Event, OffsetValues, Reply};
 use ferrocut_controller::{Control, Mode, Parts, Plant};
 use ferrocut_geometry::Position;
-use ferrocut_machine::Machine;
+use ferrocut_machine::{Machine, PitchErrors, WorkOffset};
 use ferrocut_memory::{Author, Change, Item, PlcArea, Session, Settings, Store};
 use ferrocut_plc::{Address, Limits, Program};
 use std::io::{BufRead, BufReader};
@@ -1022,4 +1022,54 @@ fn parameters_that_nobody_has_set_are_left_to_the_machine_file() {
     two.flush().unwrap();
     drop(two);
     assert!(rapid(&mut control(folder.path())) > 9000.0);
+}
+
+/// What a set-up and the machine file say is there as long as nobody has set anything else, be it 0 or the same.
+#[test]
+fn what_is_set_to_zero_is_zero_behind_a_set_up_too() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut machine = Machine::demo_mill();
+    machine.axes[0].pitch_errors = Some(PitchErrors {
+        start: Some(-500.0),
+        interval: Some(50.0),
+        corrections: vec![0.0, 0.002, 0.003],
+        opposite: Vec::new(),
+    });
+    let power_on = |is_set_up: bool| {
+        let mut memory = ferrocut_controller::control::as_delivered(&machine).unwrap();
+        if is_set_up {
+            *memory.work.get_mut(WorkOffset::Standard(1)).unwrap() = Position::xyz(1.0, 2.0, 3.0);
+            memory.tools.get_mut(3).unwrap().length = -12.0;
+            memory.tools.get_mut(4).unwrap().length = -13.0;
+        }
+        let store = Arc::new(Store::open(folder.path(), Settings::new("gsk990mc")).unwrap());
+        let parts = Parts { store: Some(store), memory: Some(memory), ..Parts::default() };
+        Control::new(&machine, parts).unwrap()
+    };
+    let states = |control: &mut Control| {
+        let memory = control.interpreter().memory();
+        let lengths = [3, 4].map(|number| memory.tools.get(number).unwrap().length);
+        let zero = memory.work.get(WorkOffset::Standard(1)).unwrap();
+        let Reply::Pitch { points, .. } = say(control, Command::Pitch { axis: 'X' }) else { panic!() };
+        (lengths, zero, points.into_iter().collect::<Vec<_>>())
+    };
+    let mut one = power_on(true);
+    assert_eq!(states(&mut one).0, [-12.0, -13.0]);
+    say(&mut one, offset(0.0));
+    let again = OffsetValues { length: Some(-13.0), ..OffsetValues::default() };
+    say(&mut one, Command::SetOffset { number: 4, values: again, add: false });
+    for command in [
+        // X of G54 by the parameter that is another name of it.
+        Command::SetParameter { name: "P15".into(), value: Some(0.0) },
+        Command::SetPitch { axis: 'X', points: [(2, 0.0)].into() },
+    ] {
+        one.command(command, &Author::Control).unwrap();
+    }
+    let set = ([0.0, -13.0], Position::xyz(0.0, 2.0, 3.0), vec![(1, 0.002)]);
+    assert_eq!(states(&mut one), set);
+    one.flush().unwrap();
+    drop(one);
+    assert_eq!(states(&mut power_on(true)), set);
+    // Without the set-up what was set holds all the same.
+    assert_eq!(states(&mut power_on(false)), set);
 }
