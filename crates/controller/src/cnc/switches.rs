@@ -16,6 +16,19 @@ pub struct DryRun {
     pub cutting: bool,
     /// It holds for positioning (12#7).
     pub rapid: bool,
+    /// It holds for tapping (12#5): the spindle turns as the pitch asks.
+    pub tapping: bool,
+}
+
+impl DryRun {
+    /// Whether it holds for a move.
+    fn holds_for(&self, given: &Given) -> bool {
+        match (given.motion.is_tapping(), given.programmed.is_rapid) {
+            (true, _) => self.tapping,
+            (false, true) => self.rapid,
+            (false, false) => self.cutting,
+        }
+    }
 }
 
 /// Where the axes stand while positions go on.
@@ -79,6 +92,12 @@ impl Cnc {
             self.switches.dry_run = dry_run;
             self.renew_moves();
         }
+    }
+
+    /// The speed of the spindle, r/min, at which the axes tap a thread of this pitch in a dry run that holds for it.
+    pub(super) fn dry_tapping(&self, pitch: f64) -> Option<f64> {
+        let dry = self.switches.dry_run.filter(|dry| dry.tapping && dry.speed > 0.0);
+        dry.map(|dry| dry.speed * 60.0 / pitch.abs())
     }
 
     /// Whether dry run is in force.
@@ -168,13 +187,8 @@ impl Cnc {
 
     /// A move as it is run now.
     pub(super) fn paced(&self, given: &Given) -> Move {
-        let is_rapid = given.programmed.is_rapid;
-        match self.switches.dry_run.filter(|_| !given.motion.is_tapping()) {
-            Some(dry) if (if is_rapid { dry.rapid } else { dry.cutting }) => given.motion.at_speed(dry.speed),
-            _ => given.motion,
-        }
-        .last(given.left)
-        .beside(given.beside)
+        let dry = self.switches.dry_run.filter(|dry| dry.holds_for(given));
+        dry.map_or(given.motion, |dry| given.motion.at_speed(dry.speed)).last(given.left).beside(given.beside)
     }
 
     /// Holds motion or lets it go on, whoever asks for it.

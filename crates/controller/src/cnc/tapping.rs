@@ -175,6 +175,8 @@ impl Cnc {
             self.state = State::Alarmed(Box::new(alarm));
             return;
         }
+        let rpm = self.dry_tapping(pitch).map_or(thread.rpm, |rpm| rpm.min(of_gear.max_rpm));
+        let thread = Thread { rpm, ..thread };
         let number = self.next_tag;
         self.next_tag += 1;
         let programmed = Programmed {

@@ -518,6 +518,7 @@ impl Control {
             speed: self.parameter(86) / 60.0,
             cutting: self.bit(12, 6),
             rapid: self.bit(12, 7),
+            tapping: self.bit(12, 5),
         });
         let (single, skip) = (inputs.single_block, inputs.block_skip);
         let (optional, auxiliary, lock) = (inputs.optional_stop, inputs.auxiliary_lock, inputs.machine_lock);

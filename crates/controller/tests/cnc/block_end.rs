@@ -534,7 +534,7 @@ fn under_machine_lock_no_place_gets_another_name_at_the_drives() {
 fn dry_run_sets_the_speed_of_what_it_holds_for_and_takes_effect_on_the_way() {
     let machine = machine();
     let top = |ticks: &[Tick]| (ticks.iter().map(|t| t.velocity).fold(0.0, f64::max) * 60.0).round();
-    let dry = DryRun { speed: 4000.0 / 60.0, cutting: true, rapid: false };
+    let dry = DryRun { speed: 4000.0 / 60.0, cutting: true, rapid: false, tapping: false };
     let mut control = cnc(&machine, "G1 X60 F1000\nM30\n");
     control.set_dry_run(Some(dry));
     control.cycle_start();
@@ -547,7 +547,7 @@ fn dry_run_sets_the_speed_of_what_it_holds_for_and_takes_effect_on_the_way() {
     assert_eq!(top(&until_it_stops(&mut control)), 4000.0);
     assert_eq!(control.tick().position[Axis::X], 60.0);
     let mut control = cnc_with(&machine, "G0 X60\nM30\n", "[parameters]\n\"NO12.1\" = 1");
-    control.set_dry_run(Some(DryRun { rapid: true, cutting: false, speed: 50.0 }));
+    control.set_dry_run(Some(DryRun { rapid: true, cutting: false, tapping: false, speed: 50.0 }));
     control.cycle_start();
     assert_eq!(top(&until_it_stops(&mut control)), 3000.0);
 }

@@ -106,6 +106,7 @@ fn lay_hands_on(cnc: &mut Cnc, random: &mut Random) {
                 speed: 20.0 + 50.0 * random.unit(),
                 cutting: true,
                 rapid: random.one(&[true, false]),
+                tapping: random.one(&[true, false]),
             };
             cnc.set_dry_run(random.one(&[Some(dry), None, None]));
         }

@@ -221,7 +221,7 @@ fn the_way_is_not_gone_with_the_axes_interlocked() {
 #[test]
 fn dry_run_switched_behind_acts_before_the_place_is_passed() {
     let mut cnc = cnc(&machine(), "G90 G1 X100 F600\nM30\n");
-    cnc.set_dry_run(Some(DryRun { speed: 100.0, cutting: true, rapid: false }));
+    cnc.set_dry_run(Some(DryRun { speed: 100.0, cutting: true, rapid: false, tapping: false }));
     let held = hold_beyond(&mut cnc, 50.0);
     assert!(cnc.retrace());
     rest(&mut cnc);

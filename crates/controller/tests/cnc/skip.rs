@@ -178,7 +178,7 @@ fn a_touch_stands_whenever_dry_run_is_switched() {
         cnc.cycle_start();
         (0..).find(|_| cnc.tick().position[Axis::X] >= 10.0).unwrap()
     };
-    let dry = DryRun { speed: 10.0, cutting: false, rapid: true };
+    let dry = DryRun { speed: 10.0, cutting: false, rapid: true, tapping: false };
     for switched in touch - 150..touch + 40 {
         let mut cnc = probing(&machine(), interpreter(program, ""), &[wall(10.0)]);
         cnc.cycle_start();

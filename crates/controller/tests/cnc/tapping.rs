@@ -1,7 +1,7 @@
 //! Rigid tapping in a run: axis and spindle in step, whatever the operator does.
 
 use crate::common::{alarmed, cnc, machine};
-use ferrocut_controller::{Activity, Cnc, State, Tick};
+use ferrocut_controller::{Activity, Cnc, DryRun, State, Tick};
 use ferrocut_geometry::Axis;
 use ferrocut_interpreter::{Interpreter, Options, dialects};
 use ferrocut_machine::{Fault, Machine, Memory, PlantConfig, Smoothing};
@@ -312,6 +312,7 @@ fn overrides_and_hold_have_no_effect_in_the_thread_of_a_floating_tap() {
                     speed: 10.0,
                     cutting: true,
                     rapid: true,
+                    tapping: false,
                 }));
             } else {
                 control.set_override(1.0, 1.0);
@@ -344,4 +345,36 @@ fn overrides_and_hold_have_no_effect_in_the_thread_of_a_floating_tap() {
     });
     assert_eq!(control.state(), &State::Reset);
     assert!(z(moments.last().unwrap()) < -9.0);
+}
+
+/// 12#5 (7.5, note 2): dry run holds for tapping only where it is set; a rigid tap stays in step, as fast as its gear goes.
+#[test]
+fn dry_run_taps_faster_only_where_it_holds_for_tapping() {
+    let floating = "G94 G90 G98 G0 X10 Z20\nM3 S600\nG84 Z-20 R5 P300 F900\nG80 X20\nM30\n";
+    let rigid = &floating.replace("M3 S", "M29 S");
+    let machine = machine();
+    let fastest = |program: &str, dry: Option<DryRun>| {
+        let mut control = cnc(&machine, program);
+        control.set_dry_run(dry);
+        let moments = run(&mut control, |_, _| {});
+        assert_eq!(control.state(), &State::Ended);
+        let from_r = moments.iter().skip_while(|m| z(m) < 20.0).filter(|m| m.0.moving && z(m) < 4.9);
+        let speed = from_r.map(|m| m.0.velocity).fold(0.0, f64::max);
+        (moments, speed * 60.0)
+    };
+    let dry = DryRun { speed: 30.0, cutting: true, rapid: false, tapping: false };
+    for program in [floating, rigid] {
+        for (dry, speed) in [
+            (None, 900.0),
+            (Some(dry), 900.0),
+            (Some(DryRun { tapping: true, cutting: false, ..dry }), 1800.0),
+        ] {
+            let (moments, fastest) = fastest(program, dry);
+            assert!((fastest - speed).abs() < 0.5, "{program} {dry:?}: {fastest}");
+            if program == rigid {
+                check_in_step(&moments, 1.5);
+                check_limits(&machine, &moments);
+            }
+        }
+    }
 }
