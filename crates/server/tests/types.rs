@@ -32,7 +32,7 @@ const LEFT_OUT: [(&str, &str); 17] = [
 
 const HEAD: &str = "\
 // Commands, answers, events and status of the control (docs/api.md).
-// Written from crates/controller/src/api.rs by `FERROCUT_WRITE=1 cargo test -p ferrocut-server --test types`.
+// Written from crates/controller/src/api by `FERROCUT_WRITE=1 cargo test -p ferrocut-server --test types`.
 
 /** Values by the letters of axes. */
 export type ByAxis = { [axis: string]: number };
