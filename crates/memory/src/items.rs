@@ -512,15 +512,15 @@ pub struct Contents {
     pub programs: BTreeMap<String, Program>,
     /// Parameters that somebody has set.
     pub parameters: BTreeMap<ParameterKey, f64>,
-    /// Tool offsets that are not zero.
+    /// Tool offsets that somebody has set.
     pub offsets: BTreeMap<u16, ToolOffset>,
-    /// Work zeros that are not zero.
+    /// Work zeros that somebody has set.
     pub work_zeros: BTreeMap<WorkOffset, Position>,
-    /// Reference points that are not zero, by number.
+    /// Reference points that somebody has set, by number.
     pub reference_points: BTreeMap<u8, Position>,
     /// Variables that are not empty.
     pub variables: BTreeMap<VariableName, f64>,
-    /// Points of the pitch tables that are not zero.
+    /// Points of the pitch tables that somebody has set.
     pub pitch: BTreeMap<(Axis, u16), f64>,
     /// What the ladder keeps: for each area its bytes from 0 to the last that was ever stored.
     pub plc: BTreeMap<PlcArea, Vec<u8>>,

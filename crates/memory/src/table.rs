@@ -132,7 +132,7 @@ pub const PROGRAM: Table = Table {
 pub const PARAMETER: Table =
     Table { name: "parameter", keys: 1, columns: &[("name", Text), ("value", Real)] };
 
-/// Tool offsets that are not zero, mm and degrees.
+/// Tool offsets that somebody has set, mm and degrees.
 pub const TOOL_OFFSET: Table = Table {
     name: "tool_offset",
     keys: 1,
@@ -159,17 +159,17 @@ macro_rules! position_columns {
     };
 }
 
-/// Work zeros that are not zero: `external`, `G54`, `G54 P2`.
+/// Work zeros that somebody has set: `external`, `G54`, `G54 P2`.
 pub const WORK_ZERO: Table = Table { name: "work_zero", keys: 1, columns: position_columns![("name", Text)] };
 
-/// Reference points that are not zero, 1 to 4.
+/// Reference points that somebody has set, 1 to 4.
 pub const REFERENCE_POINT: Table =
     Table { name: "reference_point", keys: 1, columns: position_columns![("number", Whole)] };
 
 /// Macro variables that hold a value: `#500`. One without a row is empty, which is not 0.
 pub const VARIABLE: Table = Table { name: "variable", keys: 1, columns: &[("name", Text), ("value", Real)] };
 
-/// Points of the pitch tables that are not zero, mm.
+/// Points of the pitch tables that somebody has set, mm.
 pub const PITCH: Table =
     Table { name: "pitch", keys: 2, columns: &[("axis", Text), ("point", Whole), ("value", Real)] };
 
