@@ -25,6 +25,10 @@ use crate::timing::valley;
 /// A step of braking, s.
 const STEP: f64 = 0.002;
 
+/// How well the moment is found from which on the acceleration is taken back, as a share; and most halvings for that.
+const SAME_TIME: f64 = 1e-6;
+const HALVINGS: usize = 64;
+
 /// Most steps of braking, and most pieces of the plan that are eased off.
 const STEPS: usize = 2000;
 const EASED: usize = 256;
@@ -163,7 +167,11 @@ impl Brake {
             let mut t = STEP;
             if is_late(then(t)) {
                 let (mut low, mut high) = (0.0, t);
-                for _ in 0..20 {
+                for _ in 0..HALVINGS {
+                    // Of a speed that is all but none too.
+                    if high - low <= SAME_TIME * high {
+                        break;
+                    }
                     let middle = 0.5 * (low + high);
                     if is_late(then(middle)) {
                         high = middle;

@@ -244,8 +244,20 @@ impl Run {
             if op.length(from) < 1e-5 {
                 continue;
             }
-            // Short moves lie between two samples.
-            let tags = i.saturating_sub(3) as u64..=(i + 4) as u64;
+            let most = tolerance(i).max(tolerance(i + 1)) + sagitta;
+            // Short moves lie between two samples, and those shorter than the tolerance beside others of it.
+            let reach = |moves: &mut dyn Iterator<Item = usize>| {
+                let mut length = 0.0;
+                let is_near = |n: &usize| {
+                    let is_near = length < 2.0 * most;
+                    length += self.ops[*n].length(self.from(*n));
+                    is_near
+                };
+                moves.take_while(is_near).count()
+            };
+            let before = reach(&mut (0..i).rev()).max(3);
+            let behind = reach(&mut (i + 1..self.ops.len())).max(4);
+            let tags = i.saturating_sub(before) as u64..=(i + behind) as u64;
             let first = self.samples.partition_point(|s| s.tag < *tags.start()).saturating_sub(2);
             let last = (self.samples.partition_point(|s| s.tag <= *tags.end()) + 2).min(self.samples.len());
             for t in [0.25, 0.5, 0.75, 1.0] {
@@ -259,7 +271,6 @@ impl Run {
                 };
                 let off = self.samples[first..last].windows(2).map(off).fold(f64::INFINITY, f64::min);
                 let is_apart = matches!(op, Op::Rapid { straight: false, .. }) && t < 1.0;
-                let most = tolerance(i).max(tolerance(i + 1)) + sagitta;
                 assert!(
                     is_apart || off <= most,
                     "move {i} at {t}: {off} mm from the way of the axes, {most} allowed"
