@@ -8,6 +8,7 @@ use crate::outputs;
 use crate::plot::{Gauge, Peak, QUANTITIES, draw};
 use ferrocut_controller::{Clock, Cnc, State};
 use ferrocut_geometry::Axis;
+use ferrocut_interpreter::Options;
 use serde::Serialize;
 use std::collections::BTreeMap;
 
@@ -60,7 +61,7 @@ pub fn run(args: &PlotArgs) -> Result<Exit, Failure> {
     let job = shop.job(&args.file)?;
     job.tell(&shop);
     let name = job.path.to_string_lossy().into_owned();
-    let interpreter = job.keeping().interpreter(shop.options());
+    let interpreter = job.keeping().interpreter(Options { warns: true, ..shop.options() });
     // The limits are those that the control's own parameters leave.
     let mut machine = shop.machine.clone();
     (interpreter.dialect().machine_parameters)(&interpreter.memory().parameters, &mut machine);
