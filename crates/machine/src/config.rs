@@ -281,7 +281,7 @@ impl Machine {
     }
 
     fn check(&self) -> Result<(), ConfigError> {
-        within("servo_period_ms", self.servo_period_ms, 0.1, 10.0)?;
+        within("servo_period_ms", self.servo_period_ms, 0.25, 4.0)?;
         if self.axes.is_empty() {
             return Err(ConfigError::count("axes", 0, 1, Axis::ALL.len()));
         }

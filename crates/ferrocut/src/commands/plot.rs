@@ -11,6 +11,8 @@ use ferrocut_geometry::Axis;
 use ferrocut_interpreter::Options;
 use serde::Serialize;
 use std::collections::BTreeMap;
+use std::ffi::OsStr;
+use std::path::Path;
 
 /// What was measured as JSON.
 #[derive(Serialize)]
@@ -50,12 +52,18 @@ impl JsonPeak {
 /// Runs the command.
 pub fn run(args: &PlotArgs) -> Result<Exit, Failure> {
     let shop = Shop::open(&args.common)?;
-    if let Some(output) = &args.output {
+    let output = args.output.as_deref().filter(|path| *path != Path::new("-"));
+    if let Some(output) = output {
         outputs::check_beside(output, &args.file, &args.common)?;
+        let is_other = |extension: &OsStr| !extension.eq_ignore_ascii_case("svg");
+        if output.extension().is_some_and(is_other) {
+            return Err(Failure::plot_setting("--output", &output.to_string_lossy(), ".svg, -"));
+        }
     }
     let span = [args.from, args.to.unwrap_or(f64::INFINITY)];
     if span[0] >= span[1] {
-        return Err(Failure::plot_setting("--to", &span[1].to_string()));
+        let allowed = format!("> {}", span[0]);
+        return Err(Failure::plot_setting("--to", &span[1].to_string(), &allowed));
     }
     let axes = chosen_axes(args, &shop)?;
     let job = shop.job(&args.file)?;
@@ -80,7 +88,7 @@ pub fn run(args: &PlotArgs) -> Result<Exit, Failure> {
     let exit = report_end(&cnc, &shop, &name);
     let is_json = shop.diagnostics.is_json();
     let svg = || draw(&gauge, &name, &machine.name, &shop.diagnostics.catalogue());
-    match &args.output {
+    match output {
         Some(path) => {
             let file = path.to_string_lossy().into_owned();
             std::fs::write(path, svg()).map_err(|error| Failure::cannot_write(&file, &error))?;
@@ -103,12 +111,12 @@ pub fn run(args: &PlotArgs) -> Result<Exit, Failure> {
 fn chosen_axes(args: &PlotArgs, shop: &Shop) -> Result<Vec<Axis>, Failure> {
     let all = shop.machine.axis_set();
     let Some(letters) = &args.axes else { return Ok(all.iter().collect()) };
-    let axis = |letter: u8| {
-        Axis::from_letter(letter.to_ascii_uppercase())
-            .filter(|axis| all.contains(*axis))
-            .ok_or_else(|| Failure::plot_setting("--axes", letters))
-    };
-    letters.bytes().map(axis).collect()
+    let axis = |letter: u8| Axis::from_letter(letter.to_ascii_uppercase()).filter(|axis| all.contains(*axis));
+    let chosen: Option<Vec<Axis>> = letters.bytes().map(axis).collect();
+    chosen.filter(|chosen| !chosen.is_empty()).ok_or_else(|| {
+        let allowed: String = all.iter().map(Axis::letter).collect();
+        Failure::plot_setting("--axes", letters, &allowed)
+    })
 }
 
 fn report<'a>(gauge: &Gauge, cnc: &Cnc, program: &'a str, machine: &'a str) -> JsonPlot<'a> {
