@@ -89,7 +89,7 @@ pub enum Command {
             --depth; options of the command line win. Every command that takes a program takes a drawing\n\
             too, and runs it in the order of the drawing.",
         after_help = "Examples:\n  \
-            ferrocut import plate.dxf -o plate.nc --depth=-3 --feed 800 --spindle 12000\n  \
+            ferrocut import plate.dxf -o plate.nc --depth=-3 --feed 800 --spindle 6000\n  \
             ferrocut import plate.dxf --layer HOLES=-6,1 --layer OUTLINE=-6.2,2,F500 --layer ENGRAVING=skip\n  \
             ferrocut import sign.plt --to weihong --pen 2=-0.5 -o sign.nc --picture sign.svg\n  \
             ferrocut trace plate.dxf                  the drawing as steps, without a program"

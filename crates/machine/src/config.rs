@@ -206,7 +206,7 @@ impl SpindleConfig {
 impl Default for SpindleConfig {
     fn default() -> SpindleConfig {
         SpindleConfig {
-            max_rpm: 8000.0,
+            max_rpm: 6000.0,
             acceleration_rpm_s: 4000.0,
             tapping_rpm_s: unlimited(),
             tapping_retract_rpm_s: unlimited(),
