@@ -204,6 +204,7 @@ fn a_control_without_parameters_takes_none() {
             Machine::DEMO_MILL.replacen("dialect = \"gsk990mc\"", &format!("dialect = \"{dialect}\""), 1);
         let mill = write(&folder, "mill.toml", &text);
         let says = format!("error: {dialect} has no parameters\n");
+        fails(&["list", "--dialect", dialect], 2, &[&says]);
         fails(&["set", "P270=1", "--machine", &mill], 2, &[&says]);
         assert_eq!(fs::read_to_string(&mill).unwrap(), text);
         // What stands in a file is found by a check, and can be taken out.

@@ -86,6 +86,10 @@ impl Target {
 }
 
 fn list(args: &ListArgs, book: &Book) -> Result<Exit, Failure> {
+    if book.table().is_empty() {
+        complain(&name_error(&NameError::None, book.dialect.name, book.catalogue), &book.diagnostics);
+        return Ok(Exit::WrongUse);
+    }
     let rooms: Vec<&str> = book.table().iter().map(|d| &*d.applies_to).collect();
     if let Some(room) = &args.room
         && !rooms.iter().any(|r| r.eq_ignore_ascii_case(room))
