@@ -7,7 +7,7 @@
 #5=0.3        'depth of the engraving
 G90 G17 G21
 T1 M06
-S8000 M03
+S6000 M03
 G00 Z5
 G65 P"ROW" L=#4
 G992 J=-#2*#4

@@ -4,7 +4,7 @@
 #11=2.4       'depth
 #12=0.8       'a level
 G90 G17 G21
-S8000 M03
+S6000 M03
 G00 X0 Y0 Z5
 G65 P"LEVEL" L=int(#11/#12+0.5)
 G00 Z20

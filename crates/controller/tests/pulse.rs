@@ -624,7 +624,7 @@ fn axes_home_by_the_switches_and_markers_of_the_board() {
 fn the_spindle_gets_a_speed_and_cannot_be_led() {
     let mut bench = Bench::new(
         &machine(""),
-        "M3 S4000\nG4 X0.1\nM29 S500\nG84 Z-5 R0 F500\nM30\n",
+        "M3 S3000\nG4 X0.1\nM29 S500\nG84 Z-5 R0 F500\nM30\n",
         Board::new(Able::default()),
     );
     bench.until(200, |bench| bench.board.doing == board::RUNNING);
@@ -634,7 +634,7 @@ fn the_spindle_gets_a_speed_and_cannot_be_led() {
         most = most.max(bench.board.spindle);
         !matches!(bench.cnc.state(), State::Running)
     });
-    // Half of 8000 r/min.
+    // Half of 6000 r/min.
     assert_eq!(most, 16_384);
     assert_eq!(bench.alarm(), Fault::SpindleNotLed);
 }

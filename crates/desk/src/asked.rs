@@ -96,15 +96,17 @@ fn one(word: &str, book: &Book, is_file: &dyn Fn(&str) -> bool) -> Result<Vec<As
     if let Some(number) = upper.strip_prefix('M').filter(|t| digits(t)) {
         return m_code(number, book);
     }
-    if book.reference.is_some_and(|r| r.macro_word(word).is_some()) {
-        return Ok(vec![Asked::MacroWord(upper)]);
+    let sign = book.dialect.syntax.keyword_sign.map(char::from);
+    let bare = sign.and_then(|sign| upper.strip_prefix(sign)).unwrap_or(&upper);
+    if book.reference.is_some_and(|r| r.macro_word(bare).is_some()) {
+        return Ok(vec![Asked::MacroWord(bare.to_owned())]);
     }
     let numbered = upper.strip_prefix("NO").or_else(|| upper.strip_prefix('P'));
     if is_number(word) || numbered.is_some_and(is_number) {
         return parameters(word, book);
     }
     match names::parameters(word, book.table()) {
-        Ok(keys) if !book.table().is_open() => Ok(of_keys(keys)),
+        Ok(keys) => Ok(of_keys(keys)),
         Err(error @ NameError::Ambiguous(..)) => Err(name_error(&error, book.dialect.name, book.catalogue)),
         _ => Err(unknown(word, book)),
     }
@@ -158,6 +160,14 @@ fn alarm(word: &str, book: &Book) -> Result<Vec<Asked>, Unknown> {
 }
 
 fn variable(number: &str, book: &Book) -> Result<Vec<Asked>, Unknown> {
+    if let Some(number) = book.unsigned_variable(number) {
+        return Ok(vec![Asked::Subject(Subject::Variable(number))]);
+    }
+    if let Some(letter) = book.dialect.syntax.parameter_letter {
+        let name = format!("{}{number}", char::from(letter));
+        let arguments = [("name", name.into()), ("dialect", book.dialect.name.into())];
+        return Err(book.catalogue.label("label-no-sign", &arguments));
+    }
     let known = number.parse::<u32>().ok().filter(|n| match book.reference {
         Some(reference) => !reference.variable(*n).is_empty(),
         None => (book.dialect.variable)(*n).is_some(),
@@ -171,11 +181,12 @@ fn variable(number: &str, book: &Book) -> Result<Vec<Asked>, Unknown> {
 
 /// `#FC7`, `#SAFEHEIGHT`: a word of the macro language, or a parameter.
 fn named_variable(name: &str, book: &Book) -> Result<Vec<Asked>, Unknown> {
-    if book.reference.is_some_and(|r| r.macro_word(name).is_some()) {
-        return Ok(vec![Asked::MacroWord(name.to_owned())]);
+    let word = book.full_name(name);
+    if book.reference.is_some_and(|r| r.macro_word(&word).is_some()) {
+        return Ok(vec![Asked::MacroWord(word)]);
     }
     match names::parameters(name, book.table()) {
-        Ok(keys) if !book.table().is_open() => Ok(of_keys(keys)),
+        Ok(keys) => Ok(of_keys(keys)),
         _ => Err(unknown(&format!("#{name}"), book)),
     }
 }

@@ -153,11 +153,7 @@ impl Book {
     /// The page of a parameter; none where the control has no such.
     pub fn parameter(&self, key: &ParameterKey) -> Option<Page> {
         let value = self.memory.parameter(key);
-        let Some(definition) = self.table().get(key) else {
-            let mut page = Page::new("parameter", self.table().name(key), "");
-            page.tell("value", value.to_string(), value);
-            return self.table().is_open().then_some(page);
-        };
+        let definition = self.table().get(key)?;
         let mut page = Page::new("parameter", &*definition.name, &*definition.symbol);
         match &definition.meaning {
             Meaning::Value(text) => page.say("meaning", self.words(text)),

@@ -15,6 +15,8 @@ pub enum NameError {
     Ambiguous(String, Vec<String>),
     /// A bit parameter as a whole where one value is meant.
     WholeBits(String),
+    /// The control has no parameters.
+    None,
 }
 
 /// What a name of a parameter stands for: one, or all bits of a bit parameter (`NO43`).
@@ -22,6 +24,9 @@ pub enum NameError {
 /// Beside the names of set-up files (`P270`, `NO43.1`), `43#1` is read as the manual prints it, and the
 /// symbol of the list (`ODI`, `g73_retract`).
 pub fn parameters(text: &str, table: &ParameterTable) -> Result<Vec<ParameterKey>, NameError> {
+    if table.is_empty() {
+        return Err(NameError::None);
+    }
     let text = text.trim();
     let whole = |t: &str| if t.bytes().all(|b| b.is_ascii_digit()) { t.parse::<u16>().ok() } else { None };
     let upper = text.to_ascii_uppercase();
@@ -48,7 +53,7 @@ pub fn parameters(text: &str, table: &ParameterTable) -> Result<Vec<ParameterKey
     match named.parse::<ParameterKey>() {
         Ok(key @ ParameterKey::Named(_)) if table.get(&key).is_some() => Ok(vec![key]),
         Ok(ParameterKey::Named(_)) => by_symbol(text, table),
-        Ok(key) if table.is_open() || table.get(&key).is_some() => Ok(vec![key]),
+        Ok(key) if table.get(&key).is_some() => Ok(vec![key]),
         Ok(key) => Err(unknown(&table.name(&key), table)),
         Err(_) => Err(unknown(text, table)),
     }
@@ -64,9 +69,6 @@ pub fn parameter(text: &str, table: &ParameterTable) -> Result<ParameterKey, Nam
 }
 
 fn by_symbol(text: &str, table: &ParameterTable) -> Result<Vec<ParameterKey>, NameError> {
-    if table.is_open() {
-        return text.parse().map(|key| vec![key]).map_err(|_| unknown(text, table));
-    }
     let has_it = |d: &&ParameterDef| d.symbol.eq_ignore_ascii_case(text);
     let keys: Vec<_> = table.iter().filter(has_it).map(|d| d.key.clone()).collect();
     match keys.as_slice() {
@@ -139,6 +141,7 @@ pub fn name_error(error: &NameError, dialect: &str, texts: Catalogue) -> String 
             label("label-several-parameters", &arguments)
         }
         NameError::WholeBits(name) => label("label-whole-bits", &[("name", name.as_str().into())]),
+        NameError::None => label("label-no-parameters", &[("dialect", dialect.into())]),
     }
 }
 

@@ -31,6 +31,10 @@ pub struct Line {
     parameter_letter: Option<char>,
     /// What begins a comment up to the end of the line, beside brackets.
     line_comments: &'static [&'static [u8]],
+    /// `( … )` is a comment.
+    paren_comments: bool,
+    /// Comparisons are written with signs, such as `>=`.
+    compares_by_signs: bool,
     /// The codes in force in it, as far as the program's text above it and its own words tell.
     pub modal: Modal,
     /// The G codes that stand in it, in tenths.
@@ -42,8 +46,7 @@ pub struct Line {
 impl Line {
     /// What stands at a column: a variable, function or keyword of a macro, else the word.
     pub fn at(&self, column: usize) -> Option<Spot> {
-        let word =
-            self.words.iter().find(|w| (w.column..w.column + w.text.chars().count()).contains(&column));
+        let word = self.words.iter().find(|w| w.holds(column));
         let piece = || self.piece_at(column);
         match word {
             // Within an expression its own pieces are meant.
@@ -66,7 +69,7 @@ impl Line {
             if !inside && begins(*c) {
                 return at <= column;
             }
-            inside |= *c == '(';
+            inside |= self.paren_comments && *c == '(';
             if at == column {
                 return inside;
             }
@@ -87,13 +90,55 @@ impl Line {
         rest.iter().enumerate().take_while(is_of_name).count()
     }
 
+    /// Digits, or a name where variables have such.
+    fn rest_of_variable(&self, rest: &[char]) -> usize {
+        let is_name = |c: &&char| c.is_ascii_alphanumeric() || **c == '.';
+        match rest.first().is_some_and(char::is_ascii_alphabetic) && self.parameter_letter.is_none() {
+            true => rest.iter().take_while(is_name).count(),
+            false => rest.iter().take_while(|c| c.is_ascii_digit()).count(),
+        }
+    }
+
+    /// Whether a `=` is that of an assignment: in no bracket, and no part of a comparison.
+    fn is_assignment(&self, at: usize) -> bool {
+        let before = self.text.get(..at).unwrap_or(&[]);
+        let count = |signs: [char; 2]| before.iter().filter(|c| signs.contains(c)).count();
+        let beside = [before.last(), self.text.get(at + 1)];
+        self.text.get(at) == Some(&'=')
+            && count(['[', '(']) == count([']', ')'])
+            && !(self.compares_by_signs && beside.into_iter().flatten().any(|c| "=<>!".contains(*c)))
+    }
+
+    /// What stands beside the words of the line and in no comment: the pieces of its macro statement, each once.
+    pub fn pieces(&self) -> Vec<Spot> {
+        let mut pieces: Vec<Spot> = Vec::new();
+        let mut column = 1;
+        while column <= self.text.len() {
+            let word = self.words.iter().find(|word| word.holds(column));
+            match word.map(|word| word.end()).or_else(|| self.is_comment(column).then_some(column + 1)) {
+                Some(end) => column = end,
+                None => {
+                    let piece = self.piece_at(column);
+                    column = piece.as_ref().map_or(column + 1, Spot::end);
+                    pieces.extend(piece.filter(|new| {
+                        pieces.iter().all(|known| !known.text.eq_ignore_ascii_case(&new.text))
+                    }));
+                }
+            }
+        }
+        pieces
+    }
+
     /// A variable, number or name of a macro statement.
     fn piece_at(&self, column: usize) -> Option<Spot> {
         let mut at = 0;
         while let Some(first) = self.text.get(at) {
             let rest = self.text.get(at + 1..).unwrap_or(&[]);
             let length = 1 + match first {
-                '#' => rest.iter().take_while(|c| c.is_ascii_digit()).count(),
+                '#' if rest.first() == Some(&'<') => {
+                    rest.iter().position(|c| *c == '>').map_or(0, |end| end + 1)
+                }
+                '#' => self.rest_of_variable(rest),
                 c if c.is_ascii_alphabetic() => self.rest_of_name(rest),
                 c if c.is_ascii_digit() => {
                     rest.iter().take_while(|c| c.is_ascii_digit() || **c == '.').count()
@@ -102,7 +147,7 @@ impl Line {
             };
             if (at + 1..=at + length).contains(&column) {
                 let text: String = self.text.get(at..at + length)?.iter().collect();
-                let meant = text.chars().any(|c| c.is_ascii_alphanumeric());
+                let meant = text.chars().any(|c| c.is_ascii_alphanumeric()) || self.is_assignment(at);
                 return meant.then_some(Spot { column: at + 1, text, letter: None, value: None });
             }
             at += length;
@@ -112,6 +157,15 @@ impl Line {
 }
 
 impl Spot {
+    /// The column behind it.
+    fn end(&self) -> usize {
+        self.column + self.text.chars().count().max(1)
+    }
+
+    fn holds(&self, column: usize) -> bool {
+        (self.column..self.end()).contains(&column)
+    }
+
     fn copy(&self) -> Option<Spot> {
         let (column, letter, value) = (self.column, self.letter, self.value);
         Some(Spot { column, text: self.text.clone(), letter, value })
@@ -161,8 +215,19 @@ pub fn line(
 fn empty_line(modal: &Modal, dialect: &'static Dialect) -> Line {
     let (words, text, g_codes, m_codes) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
     let parameter_letter = dialect.syntax.parameter_letter.map(char::from);
-    let line_comments = dialect.syntax.line_comments;
-    Line { words, text, parameter_letter, line_comments, modal: *modal, g_codes, m_codes }
+    let (line_comments, paren_comments) = (dialect.syntax.line_comments, dialect.syntax.paren_comments);
+    let compares_by_signs = dialect.syntax.operators.iter().any(|(name, ..)| *name == "==");
+    Line {
+        words,
+        text,
+        parameter_letter,
+        line_comments,
+        paren_comments,
+        compares_by_signs,
+        modal: *modal,
+        g_codes,
+        m_codes,
+    }
 }
 
 fn add_block(line: &mut Line, programs: &ProgramMemory, page: &Page, block: &Block) {
@@ -175,6 +240,10 @@ fn add_block(line: &mut Line, programs: &ProgramMemory, page: &Page, block: &Blo
     for word in page.words(block) {
         let span = page.word_span(block, word);
         let Some((column, _)) = column(span) else { continue };
+        // A parameter that is set stands among the words on some controls; its pieces are explained.
+        if word.letter == b'#' {
+            continue;
+        }
         let value = match word.value() {
             Value::Number(number) => Some(number),
             Value::Expression(_) | Value::Text(_) => None,

@@ -28,7 +28,7 @@ impl Book {
         let line = line.map_err(OpenError::Io)?;
         let Some(line) = line else { return Ok(Err(label("label-explain-no-block", &[]))) };
         let spots = match column {
-            None => line.words.iter().filter_map(|w| line.at(w.column)).collect(),
+            None => self.spots(&line),
             Some(column) => match line.at(column) {
                 Some(spot) => vec![spot],
                 None => {
@@ -45,6 +45,18 @@ impl Book {
             },
         };
         Ok(Ok(spots.iter().map(|spot| self.spot(name, number, spot, &line)).collect()))
+    }
+
+    /// The words of a line, and what is known of the pieces of its macro statement, from left to right.
+    fn spots(&self, line: &Line) -> Vec<Spot> {
+        let is_macro_word =
+            |text: &str| self.reference.is_some_and(|r| r.macro_word(&self.full_name(text)).is_some());
+        let is_known = |text: &str| self.variable_of(text).is_some() || is_macro_word(text);
+        let pieces = line.pieces().into_iter().filter(|piece| is_known(&piece.text));
+        let mut spots: Vec<Spot> =
+            line.words.iter().filter_map(|w| line.at(w.column)).chain(pieces).collect();
+        spots.sort_by_key(|spot| spot.column);
+        spots
     }
 
     /// The page of a word where it stands.
@@ -137,8 +149,14 @@ impl Book {
         first.or_else(|| cycle().filter(reads)).or_else(|| motion().filter(reads)).map(Subject::G)
     }
 
-    /// The whole name of a function that may be written with its first letters (`SI`).
-    fn full_name(&self, text: &str) -> String {
+    /// What a piece of a macro is called in the table of its words: a function that may be written with its first letters
+    /// (`SI`) by its whole name, a parameter by a name that a program gives it by `<name>`.
+    pub(crate) fn full_name(&self, text: &str) -> String {
+        let text = text.trim_start_matches('#');
+        let is_listed = || self.reference.is_some_and(|r| r.macro_word(text).is_some());
+        if text.starts_with('<') && !is_listed() {
+            return if text.starts_with("<_") { "<_name>" } else { "<name>" }.to_owned();
+        }
         let functions = self.dialect.syntax.functions;
         let meant = functions.iter().find(|(name, _)| name.eq_ignore_ascii_case(text)).map(|(_, f)| f);
         let first = meant.and_then(|meant| functions.iter().find(|(_, f)| f == meant));

@@ -2,7 +2,7 @@
 
 use crate::limits::FURTHEST;
 use ferrocut_machine::setup::Number;
-use ferrocut_machine::{Alarm, CuttingSetup, Fault, ImportSetup};
+use ferrocut_machine::{Alarm, Argument, CuttingSetup, Fault, ImportSetup};
 use ferrocut_program::Span;
 
 /// Kind of drawing.
@@ -154,10 +154,32 @@ impl Default for Settings {
     }
 }
 
-/// What is wrong with a setting.
-fn wrong(setting: &str, value: impl ToString) -> Box<Alarm> {
+/// The orders of cutting.
+pub const ORDERS: &str = "shortest, as-drawn";
+/// Kinds of drawings.
+pub const FORMATS: &str = "plt, dxf";
+/// What a row of a layer or pen is, as on the command line.
+pub const ROW: &str = "NAME=DEPTH,TOOL[,F…][,P…][,S…], NAME=skip";
+
+/// The units of a drawing.
+pub fn units() -> String {
+    UNITS.iter().map(|(name, _)| *name).collect::<Vec<_>>().join(", ")
+}
+
+/// Largest scale, and units in a mm.
+const LARGEST_SCALE: f64 = 1e9;
+/// Fastest feed and spindle.
+const FASTEST: f64 = 1e6;
+
+/// What is wrong with a setting, and what it may be.
+fn wrong(setting: &str, value: impl ToString, allowed: impl Into<Argument>) -> Box<Alarm> {
     let alarm = Alarm::core(Fault::ImportSetting, Span::default());
-    Box::new(alarm.with("setting", setting).with("value", value.to_string()))
+    Box::new(alarm.with("setting", setting).with("value", value.to_string()).with("allowed", allowed))
+}
+
+/// A number above 0 and up to another.
+fn up_to(most: f64) -> String {
+    format!("> 0, ≤ {most}")
 }
 
 impl Settings {
@@ -182,19 +204,19 @@ impl Settings {
             settings.three_dimensional = match dims {
                 2.0 => false,
                 3.0 => true,
-                _ => return Err(wrong("dims", dims)),
+                _ => return Err(wrong("dims", dims, "2, 3")),
             };
         }
         if let Some(name) = &setup.units {
-            settings.unit = Some(unit_named(name).ok_or_else(|| wrong("units", name))?);
+            settings.unit = Some(unit_named(name).ok_or_else(|| wrong("units", name, units()))?);
         }
         if let Some(name) = &setup.order {
-            settings.order = Order::named(name).ok_or_else(|| wrong("order", name))?;
+            settings.order = Order::named(name).ok_or_else(|| wrong("order", name, ORDERS))?;
         }
         let change = |(name, setup): (&String, &CuttingSetup)| Ok((name.as_str().into(), Change::of(setup)?));
         settings.layers = setup.layers.iter().map(change).collect::<Result<_, Box<Alarm>>>()?;
         settings.pens = setup.pens.iter().map(change).collect::<Result<_, Box<Alarm>>>()?;
-        let format = Format::named(&setup.format).ok_or_else(|| wrong("format", &setup.format))?;
+        let format = Format::named(&setup.format).ok_or_else(|| wrong("format", &setup.format, FORMATS))?;
         settings.check()?;
         Ok((settings, format))
     }
@@ -206,18 +228,19 @@ impl Settings {
 
     /// The same where settings were given by other names: `named` has that of a key of the table `[import]`.
     pub fn check_named(&self, named: &dyn Fn(&'static str) -> &'static str) -> Result<(), Box<Alarm>> {
-        let wrong = |key: &'static str, value: &dyn ToString| wrong(named(key), value.to_string());
         let positive = [("units_per_mm", self.units_per_mm), ("scale", self.scale)];
         let unit = self.unit.map(|unit| ("units", unit));
-        if let Some((name, value)) = positive.into_iter().chain(unit).find(|(_, v)| !(*v > 0.0 && *v <= 1e9))
+        if let Some((name, value)) =
+            positive.into_iter().chain(unit).find(|(_, v)| !(*v > 0.0 && *v <= LARGEST_SCALE))
         {
-            return Err(wrong(name, &value));
+            return Err(wrong(named(name), value, up_to(LARGEST_SCALE)));
         }
         if !TOLERANCES.contains(&self.tolerance) {
-            return Err(wrong("tolerance", &self.tolerance));
+            let allowed = format!("{} … {}", TOLERANCES.start(), TOLERANCES.end());
+            return Err(wrong(named("tolerance"), self.tolerance, allowed));
         }
         if self.three_dimensional && self.order == Order::Shortest {
-            return Err(wrong("order", &"shortest, dims 3"));
+            return Err(wrong(named("order"), "shortest, dims 3", "as-drawn"));
         }
         let safe = named("pen_up");
         check_height(safe, self.pen_up)?;
@@ -240,14 +263,16 @@ impl Settings {
         check_height(depth, cutting.depth)?;
         // Ways are run at rapid; in space the drawing itself says how deep it is cut.
         if self.pen_up <= cutting.depth && !self.three_dimensional {
-            return Err(wrong(safe, format!("{}, {depth} {}", self.pen_up, cutting.depth)));
+            let value = format!("{}, {depth} {}", self.pen_up, cutting.depth);
+            return Err(wrong(safe, value, format!("> {}", cutting.depth)));
         }
         let rates =
             [("feed", Some(cutting.feed)), ("plunge", Some(cutting.plunge)), ("spindle", cutting.spindle)];
-        let bad =
-            |(_, rate): &(&'static str, Option<f64>)| rate.is_some_and(|rate| !(rate > 0.0 && rate <= 1e6));
+        let bad = |(_, rate): &(&'static str, Option<f64>)| {
+            rate.is_some_and(|rate| !(rate > 0.0 && rate <= FASTEST))
+        };
         match rates.into_iter().find(bad) {
-            Some((name, rate)) => Err(wrong(named(name), rate.unwrap_or(0.0))),
+            Some((name, rate)) => Err(wrong(named(name), rate.unwrap_or(0.0), up_to(FASTEST))),
             None => Ok(()),
         }
     }
@@ -287,12 +312,13 @@ fn tool(Number(number): Number) -> Result<u32, Box<Alarm>> {
     if number.fract() == 0.0 && (0.0..=99_999_999.0).contains(&number) {
         Ok(number as u32)
     } else {
-        Err(wrong("tool", number))
+        Err(wrong("tool", number, "0 … 99999999"))
     }
 }
 
 fn check_height(name: &str, value: f64) -> Result<(), Box<Alarm>> {
-    if value.abs() <= FURTHEST { Ok(()) } else { Err(wrong(name, value)) }
+    let allowed = || format!("-{FURTHEST} … {FURTHEST}");
+    if value.abs() <= FURTHEST { Ok(()) } else { Err(wrong(name, value, allowed())) }
 }
 
 impl Change {

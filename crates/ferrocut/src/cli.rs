@@ -5,7 +5,7 @@ use crate::commands::machine::MachineArgs;
 use crate::commands::memory::MemoryArgs;
 use crate::commands::plc::PlcArgs;
 use crate::view::{DEFAULT_WIDTH, WIDTHS};
-use clap::{Args, Parser, Subcommand, ValueEnum};
+use clap::{Args, CommandFactory, FromArgMatches, Parser, Subcommand, ValueEnum};
 use ferrocut_machine::Language;
 use std::path::{Path, PathBuf};
 
@@ -33,6 +33,19 @@ pub struct Cli {
     /// The command.
     #[command(subcommand)]
     pub command: Command,
+}
+
+impl Cli {
+    /// Reads the command line. A drawing has no blocks that a switch could leave out or stop at.
+    pub fn read() -> Cli {
+        let switches = ["block_skip", "optional_stop"];
+        let refuse = |import: clap::Command, switch| {
+            import.mut_arg(switch, |switch| switch.hide(true).conflicts_with("file"))
+        };
+        let command =
+            Cli::command().mut_subcommand("import", |import| switches.into_iter().fold(import, refuse));
+        Cli::from_arg_matches(&command.get_matches()).unwrap_or_else(|error| error.exit())
+    }
 }
 
 /// The commands.
@@ -76,8 +89,8 @@ pub enum Command {
             --depth; options of the command line win. Every command that takes a program takes a drawing\n\
             too, and runs it in the order of the drawing.",
         after_help = "Examples:\n  \
-            ferrocut import plate.dxf -o plate.nc --depth=-3 --feed 800 --spindle 12000\n  \
-            ferrocut import plate.dxf --layer HOLES=-6,1 --layer OUTLINE=-6.2,2,F500 --layer TEXT=skip\n  \
+            ferrocut import plate.dxf -o plate.nc --depth=-3 --feed 800 --spindle 6000\n  \
+            ferrocut import plate.dxf --layer HOLES=-6,1 --layer OUTLINE=-6.2,2,F500 --layer ENGRAVING=skip\n  \
             ferrocut import sign.plt --to weihong --pen 2=-0.5 -o sign.nc --picture sign.svg\n  \
             ferrocut trace plate.dxf                  the drawing as steps, without a program"
     )]
@@ -269,7 +282,7 @@ pub struct PlotArgs {
     /// The part program; - reads standard input
     #[arg(value_name = "FILE")]
     pub file: PathBuf,
-    /// The SVG file to write [default: standard output; none with --format json]
+    /// The SVG file to write; - is standard output [default: standard output; none with --format json]
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
     /// Axes by their letters, such as XYZ [default: those that move]

@@ -63,19 +63,24 @@ impl Failure {
         Failure::new(alarm, Exit::WrongUse)
     }
 
-    /// A setting by its name and what was given for it.
-    pub fn bad_setting(setting: &str, value: &str) -> Failure {
-        Failure::wrong_use(Fault::ImportSetting).with("setting", setting).with("value", value)
+    fn of_setting(fault: Fault, setting: &str, value: &str, allowed: &str) -> Failure {
+        let failure = Failure::wrong_use(fault).with("setting", setting).with("value", value);
+        failure.with("allowed", allowed)
     }
 
-    /// A setting of a ladder's run by its name and what was given for it.
-    pub fn ladder_setting(setting: &str, value: &str) -> Failure {
-        Failure::wrong_use(Fault::LadderSetting).with("setting", setting).with("value", value)
+    /// A setting by its name, what was given for it and what it may be.
+    pub fn bad_setting(setting: &str, value: &str, allowed: &str) -> Failure {
+        Failure::of_setting(Fault::ImportSetting, setting, value, allowed)
     }
 
-    /// A setting of a plot by its name and what was given for it.
-    pub fn plot_setting(setting: &str, value: &str) -> Failure {
-        Failure::wrong_use(Fault::PlotSetting).with("setting", setting).with("value", value)
+    /// The same of a ladder's run.
+    pub fn ladder_setting(setting: &str, value: &str, allowed: &str) -> Failure {
+        Failure::of_setting(Fault::LadderSetting, setting, value, allowed)
+    }
+
+    /// The same of a plot.
+    pub fn plot_setting(setting: &str, value: &str, allowed: &str) -> Failure {
+        Failure::of_setting(Fault::PlotSetting, setting, value, allowed)
     }
 
     /// A configuration that cannot be used.
@@ -152,6 +157,9 @@ pub struct Shop {
     pub setup: Setup,
     /// How messages are shown.
     pub diagnostics: Diagnostics,
+    /// The files of both, for telling the line of what the control refuses.
+    machine_file: Option<PathBuf>,
+    setup_file: Option<PathBuf>,
     /// A tool table of LinuxCNC.
     library: Option<ToolLibrary>,
     /// A parameter file of LinuxCNC.
@@ -255,8 +263,8 @@ impl Shop {
             common.tool_table.as_deref().map(|path| read_config(path, ToolLibrary::from_tbl, texts));
         let parameter_file =
             common.var_file.as_deref().map(|path| read_config(path, ParameterFile::from_var, texts));
-        let unusable = |error: ConfigError| Failure::config("setup", &error.told(texts));
-        let axis_names = setup.axis_names().map_err(unusable)?;
+        let axis_names =
+            setup.axis_names().map_err(|e| refused(common.setup.as_deref(), "setup", &e, texts))?;
         Ok(Shop {
             public,
             tool_change: (common.machine.as_deref().zip(machine.tool_change.file.as_ref()))
@@ -268,6 +276,8 @@ impl Shop {
             block_skip: common.block_skip || setup.options.block_skip,
             optional_stop: common.optional_stop || setup.options.optional_stop,
             setup,
+            machine_file: common.machine.clone(),
+            setup_file: common.setup.clone(),
             library: library.transpose()?,
             parameter_file: parameter_file.transpose()?,
             diagnostics: diagnostics(common),
@@ -359,7 +369,8 @@ impl Shop {
             self.machine.parameters.iter().filter(|_| own).map(parse).collect();
         parameters
             .and_then(|all| memory.set_parameters(all.iter().map(|(key, value)| (key, *value))))
-            .map_err(|error| Failure::config(&self.machine.name, &error.told(texts)))?;
+            .map_err(ConfigError::parameter)
+            .map_err(|error| refused(self.machine_file.as_deref(), &self.machine.name, &error, texts))?;
         // The files of LinuxCNC first: a set-up file has the last word.
         if dialect.name == LINUXCNC {
             memory.library = self.library.clone();
@@ -368,7 +379,7 @@ impl Shop {
                 file.apply(&mut memory).map_err(unusable)?;
             }
         }
-        let unusable = |error: ConfigError| Failure::config("setup", &error.told(texts));
+        let unusable = |error: ConfigError| refused(self.setup_file.as_deref(), "setup", &error, texts);
         self.setup.apply(&mut memory).map_err(unusable)?;
         place_variables(dialect, memory).map_err(Failure::setting)
     }
@@ -495,6 +506,15 @@ fn open_text(path: &Path) -> Result<Text, OpenError> {
         true => Text::from_reader(std::io::stdin().lock()),
         false => Text::open(path),
     }
+}
+
+/// What a control refuses of a file, with its line where that is known; `name` stands for a file that is not there.
+fn refused(file: Option<&Path>, name: &str, error: &ConfigError, texts: Catalogue) -> Failure {
+    let Some(path) = file else { return Failure::config(name, &error.told(texts)) };
+    let name = path.to_string_lossy();
+    let text = std::fs::read_to_string(path).unwrap_or_default();
+    let place = error.line(&text).map_or_else(|| name.to_string(), |line| format!("{name}:{line}"));
+    Failure::config(&place, &error.told(texts))
 }
 
 fn read_config<T>(

@@ -13,13 +13,12 @@ mod samples;
 mod stdout;
 mod view;
 
-use clap::Parser;
 use cli::{Cli, Command};
 use job::{Exit, Failure};
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    let cli = Cli::parse();
+    let cli = Cli::read();
     let (done, common) = match cli.command {
         Command::Trace(args) => (commands::trace::run(&args), args.common),
         Command::Check(args) => (commands::check::run(&args), args.common),

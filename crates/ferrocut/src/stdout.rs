@@ -33,6 +33,11 @@ pub fn end() -> Result<(), Failure> {
     }
 }
 
+/// Whether something was printed that standard output did not take.
+pub fn is_lost() -> bool {
+    LOST.get().is_some()
+}
+
 fn kept<T>(done: io::Result<T>) -> io::Result<T> {
     done.map_err(|error| {
         let kind = error.kind();

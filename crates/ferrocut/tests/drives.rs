@@ -288,14 +288,14 @@ fn the_whole_control_drives_a_router() {
     router.awaits("at zero", |router| router.counts() == [4400; 3]);
 
     // A program with a tool, the spindle and coolant.
-    let text = "O1\nG90 G94 G21\nT2 M06\nM03 S2000\nG0 X-8 Y-4 Z-2\nM10\nM08\nG1 X-10 Y-5 F1200\nG3 X-14 Y-5 I-2 J0\n\
+    let text = "O1\nG90 G94 G21\nT2 M06\nM03 S1500\nG0 X-8 Y-4 Z-2\nM10\nM08\nG1 X-10 Y-5 F1200\nG3 X-14 Y-5 I-2 J0\n\
                 G1 Z-5\nX-20\nM30\n";
     router.keep(json!({ "do": "store", "program": "O0001", "text": text }));
     router.front.press("KEY_AUTO");
     router.front.done(json!({ "do": "select", "program": "O1" }));
     router.start();
     router.awaits("cuts", |router| router.is_on(SPINDLE_CW) && router.is_on(COOLANT));
-    // A quarter of 8000 r/min.
+    // A quarter of 6000 r/min.
     assert_eq!((router.board(|board| board.spindle), router.is_on(DOOR_LOCK)), (8192, true));
     router.front.until("done", |status| status["counters"]["parts"] == 1 && status["activity"] == "idle");
     let wanted = [4400 - 20 * 400, 4400 - 5 * 400, 4400 - 5 * 800];

@@ -4,6 +4,7 @@
 mod common;
 
 use common::{Answer, ferrocut, json, json_lines, with_input, write};
+use ferrocut_interpreter::dialect::MFunction;
 use ferrocut_interpreter::{Dialect, dialects};
 use ferrocut_machine::{ParameterTable, Reference, Subject, alarm_table, g_code_name};
 use ferrocut_program::{Binary, Keyword};
@@ -50,6 +51,9 @@ fn tables_agree(dialect: &Dialect, reference: &Reference) {
         let row =
             reference.m_code(code.code).unwrap_or_else(|| panic!("M{} is not in the manual", code.code));
         assert_eq!(row.after_motion, code.after_motion, "M{}", code.code);
+        // What the control does itself is never handed to the ladder.
+        let is_own = matches!(code.function, MFunction::SetOutput | MFunction::Internal);
+        assert!(!is_own || &*row.class == "internal", "{} M{}", dialect.name, code.code);
     }
     assert!(reference.m_codes().iter().all(|row| dialect.m_code(row.code).is_some()));
     // What the manual says is in force at power-on, the parameters as delivered put in force; but G13,
@@ -360,7 +364,8 @@ fn everything_has_a_page(dialect: &str, reference: &Reference) {
     let m = reference.m_codes().iter().map(|r| format!("M{}", r.code));
     let parameters = table.iter().map(|d| d.name.to_string());
     let alarms = alarm_table(dialect).iter().map(|r| r.id.to_string());
-    let variables = reference.variables().iter().map(|r| format!("#{}", r.numbers.start()));
+    let syntax = dialects::by_name(dialect).unwrap().syntax;
+    let variables = reference.variables().iter().map(|r| syntax.variable_name(*r.numbers.start()));
     let letters = (b'A'..=b'Z').map(|l| char::from(l).to_string());
     let words = reference.macro_words().iter().map(|r| r.word.to_string());
     let all: Vec<String> =
@@ -432,4 +437,108 @@ fn fagor_is_explained_with_its_own_names() {
     assert!(at("1:3").starts_with("CYCLE  "), "{}", at("1:3"));
     assert!(at("2:5").starts_with("P3  Arithmetic"), "{}", at("2:5"));
     assert!(at("2:16").contains("comment"), "{}", at("2:16"));
+}
+
+#[test]
+fn a_control_without_parameters_says_so() {
+    for (dialect, names) in [("rs274", &["P270", "NO43.1", "43#1"][..]), ("fagor8065", &["NO43.1", "43#1"])] {
+        for name in names {
+            let answer = explain(&[name, "--dialect", dialect]);
+            let says = format!("error: {dialect} has no parameters\n");
+            assert_eq!((answer.code, answer.out.as_str(), answer.err), (2, "", says), "{name}");
+        }
+        let answer = ferrocut(&["machine", "params", "get", "NO43.1", "--dialect", dialect]);
+        assert_eq!((answer.code, answer.err), (2, format!("error: {dialect} has no parameters\n")));
+    }
+}
+
+#[test]
+fn fagors_keywords_and_parameters_are_asked_for_as_they_are_written() {
+    let fagor = |what: &[&str]| explain(&[what, &["--dialect", "fagor8065"]].concat());
+    for word in ["$IF", "$elseif", "$FOR", "$WHILE", "$GOTO", "$BREAK"] {
+        assert_eq!(fagor(&[word]).out, fagor(&[&word[1..]]).out);
+        assert_eq!(fagor(&[word]).code, 0, "{word}");
+    }
+    for what in [&["#100"][..], &["variable", "100"]] {
+        let answer = fagor(what);
+        let says = "error: fagor8065 writes its arithmetic parameters without a sign: P100\n";
+        assert_eq!((answer.code, answer.out.as_str(), answer.err.as_str()), (2, "", says));
+    }
+    assert!(fagor(&["variable", "P100"]).out.starts_with("P100  Arithmetic parameters"));
+    assert_eq!(explain(&["$IF"]).code, 2, "a keyword of GSK has no sign");
+}
+
+#[test]
+fn a_line_of_macros_is_explained_piece_by_piece() {
+    let folder = tempfile::tempdir().unwrap();
+    let gsk =
+        "O1\n#1=#1+SIN[30] (SQRT)\nIF [#1 EQ 2] GOTO 10\nWHILE [#1 LT 3] DO 1\nEND 1\nN10 G1 X[#1] F1\nM30\n";
+    let fagor = "P1=2\n$IF P1 == 2 ; $ELSE\n$FOR P2=1,3,1\n$ENDFOR\n$GOTO N10\nM30\n";
+    let ngc = "O100 sub\n#<a>=3\nO101 if [#1 EQ #<_x>]\nO101 endif\nO100 endsub\nM2\n";
+    let weihong = "IF(#1==2) G1 X1 F100\n#5=sin(#CURWORKPOS.X)\nM30\n";
+    for (dialect, program, expected) in [
+        (
+            "gsk990mc",
+            gsk,
+            &[
+                (2, "#1 = SIN"),
+                (3, "IF #1 EQ GOTO"),
+                (4, "WHILE #1 LT DO"),
+                (5, "END"),
+                (6, "N10 G01 X[#1] F1"),
+            ][..],
+        ),
+        ("fagor8065", fagor, &[(1, "P1 ="), (2, "IF P1"), (3, "FOR P2 ="), (4, "ENDFOR"), (5, "GOTO")]),
+        ("rs274", ngc, &[(1, "SUB"), (2, "<name> ="), (3, "IF #1 EQ <_x>"), (4, "ENDIF"), (5, "ENDSUB")]),
+        ("weihong", weihong, &[(1, "IF #1 G01 X1 F100"), (2, "#5 = SIN CURWORKPOS.X")]),
+    ] {
+        let file = write(&folder, "part.nc", program);
+        for (line, titles) in expected {
+            let answer = explain(&[&format!("{file}:{line}"), "--dialect", dialect]);
+            let first = |page: &str| page.split_whitespace().next().unwrap_or_default().to_owned();
+            let found: Vec<String> = answer.out.split("\n\n").map(first).collect();
+            assert_eq!(
+                (answer.code, found.join(" ").as_str()),
+                (0, *titles),
+                "{dialect} {line}: {}",
+                answer.out
+            );
+        }
+    }
+    assert_eq!(lines(&explain(&["="]).out)[1], "form #i = value");
+}
+
+#[test]
+fn rs274_is_explained_with_its_own_names() {
+    let page = |what: &str| {
+        let answer = explain(&[what, "--dialect", "rs274"]);
+        assert_eq!((answer.code, answer.err.as_str()), (0, ""), "{what}");
+        answer.out
+    };
+    assert!(page("G10 L2").starts_with("G10 L2  Sets zero and turn of system P\n"), "{}", page("G10 L2"));
+    assert!(page("G10 L20").contains("G10 L20 P_ X_ Y_ Z_"));
+    assert!(page("#<_x>").starts_with("<_x>  Programmed position on an axis, in units of the program\n"));
+    assert!(page("#<_Metric>").contains("#<_metric>: G21"));
+    assert!(page("#<_mine>").contains("one for all subprograms") && page("#<mine>").contains("has its own"));
+    assert_eq!(explain(&["#<_x>"]).code, 2, "GSK has no such parameters");
+}
+
+#[test]
+fn what_the_control_does_itself_is_not_done_by_the_ladder() {
+    for (dialect, code, by) in [
+        ("rs274", "M66", "the control"),
+        ("rs274", "M61", "the control"),
+        ("rs274", "M62", "the control"),
+        ("rs274", "M70", "the control"),
+        // No program of this language is run; with `program = 0` the ladder changes the tool.
+        ("rs274", "M6", "the ladder of the machine"),
+        ("rs274", "M48", "the ladder of the machine"),
+        // It runs the program of the tool change, as on GSK.
+        ("weihong", "M6", "the control"),
+        ("fagor8065", "M6", "the control"),
+        ("gsk990mc", "M6", "the control"),
+    ] {
+        let page = explain(&[code, "--dialect", dialect]).out;
+        assert!(lines(&page).contains(&format!("done by {by}")), "{dialect} {code}: {page}");
+    }
 }

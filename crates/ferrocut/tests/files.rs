@@ -165,6 +165,35 @@ fn machine_and_set_up_files() {
     assert!(ferrocut(&["run", &good, "--setup", &wrong]).err.contains("\"q\""));
     assert!(ferrocut(&["run", &good, "--setup", &parameter]).err.contains("P270"));
     assert_eq!(ferrocut(&["run", &good, "--setup", &parameter]).code, 2);
+    // What the control refuses is told with file and line, however its key is written.
+    for (text, line) in [
+        ("[parameters]\nP271 = 1\np0270 = -1\n", 3),
+        ("[parameters]\n\n\"NO43#1\" = 2\n", 3),
+        ("[parameters]\nP9999 = 1\n", 2),
+        ("[tools.1]\nlength = 1\n\n[tools.999]\nlength = 1\n", 4),
+        ("[work_offsets]\nG54 = { x = 1 }\n\"G54 P99\" = { x = 1 }\n", 3),
+        ("[variables]\n\"#100\" = 1\n\"#0\" = 1\n", 3),
+    ] {
+        let setup = write(&folder, "set.toml", text);
+        let answer = ferrocut(&["run", &good, "--setup", &setup]);
+        assert!(answer.code == 2 && answer.err.contains(&format!("({setup}:{line}: [")), "{}", answer.err);
+    }
+    let text = format!("{}\n[parameters]\nP270 = -1\n", ferrocut_machine::Machine::DEMO_MILL);
+    let machine = write(&folder, "mill.toml", &text);
+    let answer = ferrocut(&["run", &good, "--machine", &machine]);
+    let says = format!("({machine}:{}: [parameters] P270", text.lines().count());
+    assert!(answer.code == 2 && answer.err.contains(&says), "{}", answer.err);
+    // A period of the servo loop that motion is not made for.
+    for period in ["0.2", "4.5"] {
+        let text = ferrocut_machine::Machine::DEMO_MILL.replacen(
+            "period_ms = 1.0",
+            &format!("period_ms = {period}"),
+            1,
+        );
+        let machine = write(&folder, "mill.toml", text);
+        let answer = ferrocut(&["run", &good, "--machine", &machine]);
+        assert!(answer.code == 2 && answer.err.contains("it must be 0.25 to 4"), "{}", answer.err);
+    }
 }
 
 #[test]

@@ -194,17 +194,20 @@ fn wrong_use_is_told_as_such() {
     for (arguments, says) in [
         (vec!["import", &program], "neither a PLT nor a DXF"),
         (vec!["import", "no/such.dxf"], "no/such.dxf"),
-        (vec!["import", &file, "--units", "ell"], "--units: ell"),
-        (vec!["import", &file, "--layer", "HOLES"], "--layer: HOLES"),
-        (vec!["import", &file, "--order", "random"], "--order: random"),
-        (vec!["import", &file, "--tolerance", "0"], "--tolerance: 0"),
-        (vec!["import", &file, "--feed", "0"], "--feed: 0"),
-        (vec!["import", &file, "--depth=-3", "--safe=-5"], "--safe: -5, --depth -3"),
+        (
+            vec!["import", &file, "--units", "ell"],
+            "--units: ell; allowed: mm, cm, m, inch, in, foot, ft, um, mil)",
+        ),
+        (vec!["import", &file, "--layer", "HOLES"], "--layer: HOLES; allowed: NAME=DEPTH,TOOL"),
+        (vec!["import", &file, "--order", "random"], "--order: random; allowed: shortest, as-drawn)"),
+        (vec!["import", &file, "--tolerance", "0"], "--tolerance: 0; allowed: 0.001 … 10)"),
+        (vec!["import", &file, "--feed", "0"], "--feed: 0; allowed: > 0, ≤ 1000000)"),
+        (vec!["import", &file, "--depth=-3", "--safe=-5"], "--safe: -5, --depth -3; allowed: > -3)"),
         (vec!["import", &file, "--depth", "10"], "--safe: 5, --depth 10"),
         (vec!["import", &file, "--layer", "HOLES=6"], "--safe: 5, depth 6"),
         (vec!["import", &file, "--layer", "HOLSE=skip"], "HOLSE; it has: 0, HOLES"),
         (vec!["import", &file, "--pen", "1=skip"], "1; it has: 0, HOLES"),
-        (vec!["import", &file, "--from", "svg"], "--from: svg"),
+        (vec!["import", &file, "--from", "svg"], "--from: svg; allowed: plt, dxf)"),
         (vec!["import", &file, "--to", "fagor"], "fagor"),
         (vec!["import", &file, "--picture", "x.gif"], "x.gif"),
         (vec!["import", &file, "-o", "no/such/folder.nc"], "no/such/folder.nc"),
@@ -229,8 +232,24 @@ fn wrong_use_is_told_as_such() {
 }
 
 #[test]
+fn what_has_no_effect_is_refused() {
+    for switch in ["--block-skip", "--optional-stop"] {
+        let answer = ferrocut(&["import", "examples/drawings/plate.dxf", switch]);
+        assert!(answer.code == 2 && answer.err.contains(switch), "{}", answer.err);
+        assert!(!ferrocut(&["import", "--help"]).out.contains(switch));
+        assert!(ferrocut(&["trace", "--help"]).out.contains(switch));
+    }
+}
+
+#[test]
 fn the_examples_become_programs() {
     let plate = "examples/drawings/plate.dxf";
+    // As the help of the command has it.
+    let help = ferrocut(&["import", "--help"]).out;
+    let layers = help.lines().find(|line| line.contains("--layer HOLES=")).unwrap();
+    let arguments: Vec<&str> = layers.split_whitespace().skip(3).collect();
+    let answer = ferrocut(&[&["import", plate], &arguments[..]].concat());
+    assert_eq!(answer.code, 0, "{arguments:?}: {}", answer.err);
     let answer = ferrocut(&["import", plate, "--setup", "examples/drawings/plate.toml"]);
     assert_eq!(answer.code, 0, "{}", answer.err);
     let place = |words: &str| answer.out.find(words).unwrap_or_else(|| panic!("{words}: {}", answer.out));

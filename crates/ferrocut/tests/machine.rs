@@ -49,6 +49,11 @@ fn new_writes_a_machine_that_every_command_takes_and_never_overwrites() {
     assert_eq!((answer.code, answer.err), (2, format!("error: {file} exists already and was not changed\n")));
     assert_eq!(fs::read_to_string(&file).unwrap(), text);
     assert!(ferrocut(&["machine", "new", "-o", "-"]).out.starts_with("# A machine:"));
+    let piped = json(&ferrocut(&["machine", "new", "-o", "-", "--format", "json"]).out);
+    assert!(piped["text"].as_str().unwrap().starts_with("# A machine:"), "{piped}");
+    let other = folder.path().join("other.toml").into_os_string().into_string().unwrap();
+    let said = json(&ferrocut(&["machine", "new", "-o", &other, "--format", "json"]).out);
+    assert_eq!(said["file"], other.as_str());
     assert_eq!(ferrocut(&["machine", "new", "-o", "no/such/folder/m.toml"]).code, 2);
 }
 
@@ -73,7 +78,10 @@ fn check_tells_what_is_wrong_and_summarises() {
     assert!(answer.out.contains(&warning) && answer.out.contains(&error), "{}", answer.out);
     let answer = ferrocut(&["machine", "check", &odd, "--format", "json"]);
     let severities: Vec<_> = json_lines(&answer.out).iter().map(|r| r["severity"].clone()).collect();
-    assert_eq!(severities, ["warning", "error"]);
+    // Behind the remarks the machine, as the text has it.
+    assert_eq!(severities, ["warning".into(), "error".into(), serde_json::Value::Null]);
+    let machine = json(&ferrocut(&["machine", "check", &good, "--format", "json"]).out);
+    assert_eq!((&machine["machine"], &machine["axes"][0]["rapid"]), (&"Demo mill".into(), &15_000.0.into()));
     let bad = write(&folder, "bad.toml", Machine::DEMO_MILL.replacen("\nrapid =", "\nrapids =", 1));
     let answer = ferrocut(&["machine", "check", &bad, &good]);
     assert!(answer.code == 1 && answer.out.contains("unknown field `rapids`"), "{}", answer.out);
@@ -104,6 +112,9 @@ fn list_shows_value_default_range_unit_and_meaning() {
         (&rows[1]["name"], &rows[1]["value"], &rows[1]["changed"]),
         (&"P270".into(), &1.5.into(), &true.into())
     );
+    fails(&["list", "--find", "nothing"], 2, &["error: no parameter of gsk990mc matches nothing\n"]);
+    fails(&["list", "--find", "retract", "--room", "plc"], 2, &["matches retract"]);
+    assert_eq!(prints(&["list", "--find", "retract distance", "--changed"]), "no such parameter\n");
     fails(&["list", "--room", "kitchen"], 2, &["there is no room kitchen; the rooms are acceleration, "]);
 }
 
@@ -183,6 +194,30 @@ fn set_takes_all_values_or_none() {
     let broken = write(&folder, "broken.toml", "name = 1");
     fails(&["set", "P270=1", "--machine", &broken], 2, &["FC-0904"]);
     assert_eq!(fs::read_to_string(&broken).unwrap(), "name = 1");
+}
+
+#[test]
+fn a_control_without_parameters_takes_none() {
+    let folder = tempdir().unwrap();
+    for dialect in ["rs274", "fagor8065"] {
+        let text =
+            Machine::DEMO_MILL.replacen("dialect = \"gsk990mc\"", &format!("dialect = \"{dialect}\""), 1);
+        let mill = write(&folder, "mill.toml", &text);
+        let says = format!("error: {dialect} has no parameters\n");
+        fails(&["list", "--dialect", dialect], 2, &[&says]);
+        fails(&["set", "P270=1", "--machine", &mill], 2, &[&says]);
+        assert_eq!(fs::read_to_string(&mill).unwrap(), text);
+        // What stands in a file is found by a check, and can be taken out.
+        let mill = write(&folder, "mill.toml", format!("{text}\n[parameters]\nP270 = 1\n"));
+        let answer = params(&["check", "--machine", &mill]);
+        assert!(
+            answer.code == 1 && answer.out.contains(&format!("{dialect} has no parameters")),
+            "{}",
+            answer.out
+        );
+        prints(&["set", "P270=default", "--machine", &mill]);
+        assert_eq!(params(&["check", "--machine", &mill]).code, 0);
+    }
 }
 
 #[test]
@@ -298,7 +333,7 @@ fn import_takes_all_rows_or_none_and_tells_every_wrong_one() {
     let line = |n: u32, says: &str| format!("error: {bad}:{n}: {says}");
     fails(
         &["import", &bad, "--machine", &mill],
-        1,
+        2,
         &[
             &line(3, "P270 cannot be 99999: it must be 0 … 999.9999"),
             &line(4, "gsk990mc has no parameter foo"),
@@ -309,7 +344,7 @@ fn import_takes_all_rows_or_none_and_tells_every_wrong_one() {
         ],
     );
     let other = write(&folder, "other.csv", "a,b\n1,2\n");
-    fails(&["import", &other, "--machine", &mill], 1, &["has no column name"]);
+    fails(&["import", &other, "--machine", &mill], 2, &["has no column name"]);
     fails(&["import", "no/such.csv", "--machine", &mill], 2, &["no/such.csv"]);
     assert_eq!(fs::read_to_string(&mill).unwrap(), before);
     // As a German or Chinese spreadsheet writes it, from standard input.

@@ -107,6 +107,25 @@ fn a_control_that_runs_can_be_looked_at() {
 }
 
 #[test]
+fn a_backup_goes_to_a_pipe() {
+    let (folder, path) = memory();
+    let file = folder.path().join("mill.backup").to_str().unwrap().to_owned();
+    let piped = ferrocut(&["memory", "backup", &path, "-o", "-", "--item", "programs,offsets"]);
+    assert_eq!((piped.code, piped.err.as_str()), (0, "written: -\n"));
+    std::fs::write(&file, &piped.out).unwrap();
+    let checked = ferrocut(&["memory", "check", &file]);
+    assert_eq!(checked.code, 0, "{} {}", checked.out, checked.err);
+    assert!(!common::root().join("-").exists());
+    let json_said = ferrocut(&["memory", "backup", &path, "-o", "-", "--format", "json"]);
+    assert_eq!(json(&json_said.err)["items"]["offsets"], 1);
+    // What the help says that there is, is all that there is.
+    let help = ferrocut(&["memory", "show", "--help"]).out;
+    for item in ferrocut_memory::Item::ALL {
+        assert!(help.contains(item.name()), "{}: {help}", item.name());
+    }
+}
+
+#[test]
 fn a_backup_is_checked_and_restored() {
     let (folder, path) = memory();
     let file = folder.path().join("mill.backup").to_str().unwrap().to_owned();

@@ -108,12 +108,22 @@ fn a_loop_is_stopped() {
 
 #[test]
 fn settings_that_cannot_be_used_are_told() {
-    for setting in ["NOPE=1", "X0.0=2", "X0=256", "X0.0", "x:X0.0=1", "X0.9=1"] {
-        let answer = with_input(&["plc", "run", "-", "--set", setting], LATCH);
+    for (option, setting, allowed) in [
+        ("--set", "NOPE=1", "X20.3, D10, NAME"),
+        ("--set", "MOTR=1", "MOTOR"),
+        ("--set", "X0.0=2", "0, 1"),
+        ("--set", "X0=256", "0 … 255"),
+        ("--set", "X0.0", "[MS:]SIGNAL=VALUE"),
+        ("--set", "x:X0.0=1", "[MS:]SIGNAL=VALUE"),
+        ("--set", "X0.9=1", "X20.3, D10, NAME"),
+        ("--force", "X0.0", "SIGNAL=VALUE"),
+        ("--watch", "STRT", "START"),
+    ] {
+        let answer = with_input(&["plc", "run", "-", option, setting], LATCH);
         assert_eq!(answer.code, 2, "{setting}");
-        assert!(answer.err.contains("FC-1102") && answer.err.contains(setting), "{}", answer.err);
+        let says = format!("({option}: {setting}; allowed: {allowed})");
+        assert!(answer.err.contains("FC-1102") && answer.err.contains(&says), "{}", answer.err);
     }
-    assert_eq!(with_input(&["plc", "run", "-", "--watch", "NOPE"], LATCH).code, 2);
     let answer = with_input(&["plc", "run", "-"], BAD);
     assert!(answer.code == 1 && answer.err.contains("gsk990mc:1023"));
 }

@@ -161,15 +161,20 @@ fn an_alarm_leaves_the_plot_of_what_was_run() {
 #[test]
 fn wrong_settings_are_told() {
     for (arguments, says) in [
-        (&["--axes", "XQ"][..], "FC-0909"),
-        (&["--axes", "B"], "FC-0909"),
-        (&["--from", "2", "--to", "1"], "FC-0909"),
+        (&["--axes", "XQ"][..], "(--axes: XQ; allowed: XYZA)"),
+        (&["--axes", "B"], "(--axes: B; allowed: XYZA)"),
+        (&["--axes", ""], "(--axes: ; allowed: XYZA)"),
+        (&["--from", "2", "--to", "1"], "(--to: 1; allowed: > 2)"),
+        (&["-o", "a.png"], "(--output: a.png; allowed: .svg, -)"),
         (&["--from", "nan"], "seconds"),
         (&["-o", "no/such/folder/plot.svg"], "FC-0907"),
     ] {
         let answer = with_input(&[&["plot", "-"], arguments].concat(), CORNER);
         assert!(answer.code == 2 && answer.err.contains(says), "{arguments:?}: {}", answer.err);
     }
+    assert!(!common::root().join("a.png").exists());
+    let piped = with_input(&["plot", "-", "-o", "-"], CORNER);
+    assert!(piped.code == 0 && piped.out.starts_with("<svg"), "{}", piped.err);
     let help = ferrocut(&["plot", "--help"]).out;
     assert!(help.contains("Examples:") && help.contains("1 % of the limit"), "{help}");
     assert!(command(&["--help"]).output().unwrap().status.success());

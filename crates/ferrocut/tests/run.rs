@@ -378,3 +378,33 @@ fn what_an_alarm_ended_says_so_above_its_times() {
         assert!(answer.out.contains(text), "{}", answer.out);
     }
 }
+
+#[test]
+fn a_run_tells_what_a_check_warns_of() {
+    let folder = tempfile::tempdir().unwrap();
+    // Part 2, 7.10: S beyond P258 is held there; 4.5.1: F beyond P96 counts as P96. A line that comes again is told once.
+    let setup =
+        common::write(&folder, "held.toml", "[start]\nz = 50\n[parameters]\nP96 = 1500\nP258 = 3000\n");
+    let program = "M98 P100 L2\nM3 S1000\nG99 G84 X1 Z-5 R2 F3000\nG80 M5\nM30\nO100\nM3 S4000\nM5\nM99\n";
+    for (command, more) in [("run", None), ("time", None), ("plot", None), ("run", Some("--realtime"))] {
+        let program = if more.is_some() { "M3 S4000\nM5\nM30\n" } else { program };
+        let mut arguments = vec![command, "-", "--setup", &setup, "--format", "json"];
+        arguments.extend(more);
+        let answer = with_input(&arguments, program);
+        let told: Vec<(Value, Value)> = json_lines(&answer.err)
+            .into_iter()
+            .inspect(|told| assert_eq!(told["severity"], "warning"))
+            .map(|mut told| (told["alarm"].take(), told["line"].take()))
+            .collect();
+        let fast = |line| (Value::from("gsk990mc:0182"), Value::from(line));
+        let expected = match more {
+            None => vec![fast(7), (Value::from("FC-0533"), Value::from(3))],
+            Some(_) => vec![fast(1)],
+        };
+        assert_eq!((answer.code, told), (0, expected), "{command} {more:?}: {}", answer.out);
+    }
+    // The search for the place to take a program up is no run.
+    let taken_up =
+        with_input(&["run", "-", "--setup", &setup, "--from", "3"], "M3 S4000\nG1 X1 F100\nX2\nX3\nM30\n");
+    assert_eq!((taken_up.code, taken_up.err.matches("0182").count()), (0, 0), "{}", taken_up.err);
+}

@@ -726,7 +726,7 @@ impl Interpreter {
     fn ends_later(&self, span: Span) -> bool {
         let mut ahead = self.clone();
         ahead.flow.ends_later = true;
-        ahead.options.keep_going = false;
+        (ahead.options.keep_going, ahead.options.warns) = (false, false);
         ahead.alarms.clear();
         if !matches!(ahead.start_again(span), Ok(false)) {
             return false;

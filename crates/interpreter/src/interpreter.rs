@@ -34,7 +34,7 @@ use crate::stages::work_offset::{System, WorkSystem};
 use crate::tool_axes::ToolAxes;
 use crate::words::{self, Tables, Words};
 use ferrocut_geometry::{Axis, AxisNames, Position};
-use ferrocut_machine::{Alarm, Fault, Machine, Memory, WorkOffset};
+use ferrocut_machine::{Alarm, Fault, Machine, Memory, Severity, WorkOffset};
 use ferrocut_program::{FileId, ProgramId, ProgramMemory, Span, lexer};
 use ferrocut_toolpath::{Speed, SpindleState, Step};
 use std::collections::{BTreeMap, VecDeque};
@@ -86,6 +86,8 @@ pub struct Options {
     pub skip: Option<(Axis, f64)>,
     /// Goes on behind an alarm, for checking; else it ends the run.
     pub keep_going: bool,
+    /// Gives out to a run too what a check is warned of; the run goes on.
+    pub warns: bool,
     /// A main program that ends with M99 is run again and again; else it ends there, unless a further pass comes to an end
     /// of its own.
     pub loops_forever: bool,
@@ -606,11 +608,24 @@ impl Interpreter {
         self.alarm(fault, self.words.span(letter))
     }
 
-    /// Tells a check, and no run, what it is well to know.
+    /// Tells what it is well to know a check, and a run that asks for it; of blocks that are looked for it is told nothing.
     pub(crate) fn tell(&mut self, alarm: Alarm) {
-        if self.options.keep_going {
+        if self.tells() {
             self.note(Box::new(alarm.as_warning()));
         }
+    }
+
+    /// Whether warnings are given out.
+    pub(crate) fn tells(&self) -> bool {
+        self.options.keep_going || self.options.warns && self.flow.mark().is_none()
+    }
+
+    /// A copy that looks ahead, past any mark, and warns of nothing: what it comes to is told when it is run.
+    pub fn looking_ahead(&self) -> Interpreter {
+        let mut ahead = self.clone();
+        ahead.set_mark(None);
+        ahead.options.warns = false;
+        ahead
     }
 
     /// Notes an alarm and goes on with the block.
@@ -684,7 +699,7 @@ impl Interpreter {
                 return Some(Ok(step));
             }
             if let Some(alarm) = self.alarms.pop_front() {
-                if !self.options.keep_going {
+                if !self.options.keep_going && alarm.severity == Severity::Error {
                     self.ended = true;
                     self.alarms.clear();
                     // What was read up to here is done once the machine comes to it. Not so where a stage that looks ahead

@@ -161,8 +161,7 @@ impl Interpreter {
         if !self.output.looks_ahead() {
             return Ok(at);
         }
-        let mut ahead = self.clone();
-        ahead.set_mark(None);
+        let mut ahead = self.looking_ahead();
         // What the block that comes does wrong is told when it is run.
         while let Some(Ok(step)) = ahead.next() {
             if step.block > self.flow.begun() {

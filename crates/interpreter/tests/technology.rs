@@ -43,6 +43,13 @@ fn a_speed_that_is_held_is_told() {
 }
 
 #[test]
+fn the_demo_mill_turns_as_fast_as_its_control_lets_it() {
+    // P258 as delivered is 6000 (appendix 1).
+    let delivered = ferrocut_machine::Memory::new("gsk990mc").parameters.data(258);
+    assert_eq!((ferrocut_machine::Machine::demo_mill().spindle.max_rpm, delivered), (6000.0, 6000.0));
+}
+
+#[test]
 fn the_last_two_digits_of_a_gear_count() {
     // 6.2: with 1#2 S is the number of a gear; of four digits the last two are valid. P258 holds speeds alone.
     let switched = "[parameters]\n\"NO1.2\" = 1\nP258 = 1";

@@ -206,7 +206,7 @@ impl SpindleConfig {
 impl Default for SpindleConfig {
     fn default() -> SpindleConfig {
         SpindleConfig {
-            max_rpm: 8000.0,
+            max_rpm: 6000.0,
             acceleration_rpm_s: 4000.0,
             tapping_rpm_s: unlimited(),
             tapping_retract_rpm_s: unlimited(),
@@ -281,7 +281,7 @@ impl Machine {
     }
 
     fn check(&self) -> Result<(), ConfigError> {
-        within("servo_period_ms", self.servo_period_ms, 0.1, 10.0)?;
+        within("servo_period_ms", self.servo_period_ms, 0.25, 4.0)?;
         if self.axes.is_empty() {
             return Err(ConfigError::count("axes", 0, 1, Axis::ALL.len()));
         }

@@ -2,14 +2,19 @@
 
 use crate::memory::VariableError;
 use crate::messages::{Catalogue, Language};
-use crate::parameters::ParameterError;
+use crate::offsets::WorkOffset;
+use crate::parameters::{ParameterError, ParameterKey};
 use std::fmt;
 
 /// What is wrong with a machine or set-up file, or a table beside them, in words that say what to change.
 ///
 /// Places are named by the keys of the file, which are the same in every language: `axes X: homing: fast`.
 #[derive(Clone, PartialEq, Debug)]
-pub struct ConfigError(Box<Reason>);
+pub struct ConfigError {
+    reason: Box<Reason>,
+    /// Section and key that it is about.
+    place: Option<(&'static str, Box<str>)>,
+}
 
 #[derive(Clone, PartialEq, Debug)]
 enum Reason {
@@ -24,32 +29,57 @@ enum Reason {
 }
 
 impl ConfigError {
+    fn of(reason: Reason) -> ConfigError {
+        ConfigError { reason: Box::new(reason), place: None }
+    }
+
+    /// The same about a key of a section.
+    pub(crate) fn at(mut self, section: &'static str, key: impl ToString) -> ConfigError {
+        self.place = Some((section, key.to_string().into()));
+        self
+    }
+
+    /// The line of `text`, the file that it is about, where that says what it cannot.
+    pub fn line(&self, text: &str) -> Option<usize> {
+        let (section, key) = self.place.as_ref()?;
+        let file = toml::de::DeTable::parse(text).ok()?;
+        let (_, section) = file.get_ref().iter().find(|(name, _)| name.get_ref() == section)?;
+        let is_it = |name: &str| match section_key(name) {
+            Some(name) => section_key(key) == Some(name),
+            None => name.eq_ignore_ascii_case(key),
+        };
+        let (name, _) = section.get_ref().as_table()?.iter().find(|(name, _)| is_it(name.get_ref()))?;
+        text.get(..name.span().start).map(|before| before.matches('\n').count() + 1)
+    }
+
     /// A file that is no TOML, or has other keys or values than it may.
     pub(crate) fn toml(error: &toml::de::Error) -> ConfigError {
-        ConfigError(Box::new(Reason::Toml(error.to_string())))
+        ConfigError::of(Reason::Toml(error.to_string()))
     }
 
     /// A text of `labels.ftl`, to be given its values.
     pub(crate) fn label(key: &'static str) -> ConfigError {
-        ConfigError(Box::new(Reason::Label { key, values: Vec::new() }))
+        ConfigError::of(Reason::Label { key, values: Vec::new() })
     }
 
     /// The same with a value.
     pub(crate) fn with(mut self, name: &'static str, value: impl ToString) -> ConfigError {
-        if let Reason::Label { values, .. } = &mut *self.0 {
+        if let Reason::Label { values, .. } = &mut *self.reason {
             values.push((name, value.to_string()));
         }
         self
     }
 
     /// A parameter that cannot be set.
-    pub(crate) fn parameter(error: ParameterError) -> ConfigError {
-        ConfigError(Box::new(Reason::Parameter(error)))
+    pub fn parameter(error: ParameterError) -> ConfigError {
+        let name = error.name().map(Box::from);
+        let place = name.map(|name| ("parameters", name));
+        ConfigError { place, ..ConfigError::of(Reason::Parameter(error)) }
     }
 
     /// A variable that cannot be set, and where it stands.
     pub(crate) fn variable(place: impl ToString, error: VariableError) -> ConfigError {
-        ConfigError(Box::new(Reason::Variable { place: place.to_string(), error }))
+        ConfigError::of(Reason::Variable { place: place.to_string(), error })
     }
 
     /// What stands twice and may stand once.
@@ -69,7 +99,7 @@ impl ConfigError {
             let values: Vec<_> = values.iter().map(|(name, value)| (*name, (*value).into())).collect();
             texts.label(key, &values)
         };
-        match &*self.0 {
+        match &*self.reason {
             Reason::Toml(text) => text.clone(),
             Reason::Label { key, values } => {
                 let values: Vec<_> = values.iter().map(|(name, value)| (*name, value.as_str())).collect();
@@ -84,6 +114,12 @@ impl ConfigError {
             }
         }
     }
+}
+
+/// What keys that may be written in several ways stand for.
+fn section_key(name: &str) -> Option<(Option<WorkOffset>, Option<ParameterKey>)> {
+    let key = (name.parse().ok(), name.parse().ok());
+    (key != (None, None)).then_some(key)
 }
 
 /// In English.
@@ -131,11 +167,11 @@ mod tests {
     fn reasons_are_told_in_the_language_of_the_reader() {
         let period = Machine::from_toml("name = \"m\"\nservo_period_ms = 20.0\naxes = []").unwrap_err();
         for (language, says) in [
-            (Language::En, "servo_period_ms is 20: it must be 0.1 to 10"),
-            (Language::Zh, "servo_period_ms 为 20：应为 0.1 至 10"),
-            (Language::Ru, "servo_period_ms равно 20: должно быть от 0.1 до 10"),
-            (Language::Es, "servo_period_ms es 20: debe ser de 0.1 a 10"),
-            (Language::Tr, "servo_period_ms 20: 0.1 ile 10 arasında olmalı"),
+            (Language::En, "servo_period_ms is 20: it must be 0.25 to 4"),
+            (Language::Zh, "servo_period_ms 为 20：应为 0.25 至 4"),
+            (Language::Ru, "servo_period_ms равно 20: должно быть от 0.25 до 4"),
+            (Language::Es, "servo_period_ms es 20: debe ser de 0.25 a 4"),
+            (Language::Tr, "servo_period_ms 20: 0.25 ile 4 arasında olmalı"),
         ] {
             assert_eq!(period.told(Catalogue::new(language)), says);
         }

@@ -115,6 +115,20 @@ pub enum ParameterError {
     TooMany,
 }
 
+impl ParameterError {
+    /// The name of the parameter, where it is about one.
+    pub fn name(&self) -> Option<&str> {
+        match self {
+            ParameterError::Malformed(name)
+            | ParameterError::Unknown(name)
+            | ParameterError::OutOfRange { name, .. }
+            | ParameterError::NotABit(name, _)
+            | ParameterError::NotWhole(name, _) => Some(name),
+            ParameterError::TooMany => None,
+        }
+    }
+}
+
 impl fmt::Display for ParameterError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {

@@ -11,7 +11,7 @@ use ferrocut_geometry::{Axis, AxisName, AxisNames, AxisSet, Position};
 use serde::de::{DeserializeOwned, Error};
 use serde::{Deserialize, Deserializer};
 use std::collections::BTreeMap;
-use std::fmt::Display;
+use std::fmt::{self, Display};
 use std::str::FromStr;
 
 /// A set-up file.
@@ -245,6 +245,15 @@ pub enum VariableName {
     Named(Box<str>),
 }
 
+impl Display for VariableName {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            VariableName::Number(number) => write!(f, "#{number}"),
+            VariableName::Named(name) => f.write_str(name),
+        }
+    }
+}
+
 impl FromStr for VariableName {
     type Err = String;
 
@@ -454,14 +463,16 @@ impl Setup {
         for (name, values) in &self.work_offsets {
             let systems = memory.work.additional.len();
             let zero = memory.work.get_mut(*name).ok_or_else(|| {
-                ConfigError::label("label-config-work-offset").with("name", name).with("max", systems)
+                let error = ConfigError::label("label-config-work-offset").at("work_offsets", name);
+                error.with("name", name).with("max", systems)
             })?;
             values.write_to(zero, &names);
         }
         for (number, tool) in &self.tools {
             let last = memory.tools.last();
             let row = memory.tools.get_mut(*number).ok_or_else(|| {
-                ConfigError::label("label-config-tool").with("number", number).with("max", last)
+                let error = ConfigError::label("label-config-tool").at("tools", number);
+                error.with("number", number).with("max", last)
             })?;
             tool.write_to(row);
         }
@@ -470,7 +481,7 @@ impl Setup {
                 VariableName::Number(number) => memory.variables.set(*number, Some(*value)),
                 VariableName::Named(name) => memory.variables.set_named(name, Some(*value)),
             };
-            set.map_err(|e| ConfigError::variable("[variables]", e))?;
+            set.map_err(|e| ConfigError::variable("[variables]", e).at("variables", name))?;
         }
         let points = &self.reference_points;
         let points = [&points.first, &points.second, &points.third, &points.fourth];

@@ -165,16 +165,22 @@ impl Reader {
     }
 
     fn write_part(&self, part: &Path, items: &[Item]) -> Result<Vec<BackupEntry>, Error> {
+        let mut to = BufWriter::new(File::create(part)?);
+        let entries = self.back_up_to(&mut to, items)?;
+        let file = to.into_inner().map_err(|error| Error::Disk(error.to_string()))?;
+        file.sync_all()?;
+        Ok(entries)
+    }
+
+    /// The same into what takes bytes, such as a pipe, whose end says whether it is whole.
+    pub fn back_up_to(&self, to: impl Write, items: &[Item]) -> Result<Vec<BackupEntry>, Error> {
         let mut items = items.to_vec();
         items.sort_unstable();
         items.dedup();
-        let file = File::create(part)?;
-        let mut to = Summed { to: BufWriter::new(file), sum: FileSum::default(), lines: 0 };
+        let mut to = Summed { to, sum: FileSum::default(), lines: 0 };
         let entries = self.at_once(|database| write(database, &items, &mut to))?;
         let tail = Tail { lines: to.lines, blake2b: to.sum.clone().finish() };
         to.line(&json(&tail)?)?;
-        let file = to.to.into_inner().map_err(|error| Error::Disk(error.to_string()))?;
-        file.sync_all()?;
         Ok(entries)
     }
 }

@@ -42,6 +42,9 @@ impl Cnc {
             match self.next_step() {
                 None => return,
                 Some(Err(alarm)) if self.sent.refuses => self.sent.refused.push(*alarm),
+                Some(Err(alarm)) if alarm.severity == Severity::Warning => {
+                    self.events.push_back(Event::Warning(*alarm));
+                }
                 Some(Err(alarm)) => self.wait_for(Waiting::Alarm(alarm)),
                 Some(Ok(step)) => self.take_step(step),
             }

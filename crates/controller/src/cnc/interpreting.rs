@@ -21,7 +21,7 @@ use super::{Cnc, State};
 use crate::restart::Journal;
 use ferrocut_geometry::Position;
 use ferrocut_interpreter::{Interpreter, Shown};
-use ferrocut_machine::Alarm;
+use ferrocut_machine::{Alarm, Severity};
 use ferrocut_program::{FileId, Span};
 use ferrocut_toolpath::{Op, Step};
 use rtrb::{Consumer, Producer, RingBuffer};
@@ -146,11 +146,13 @@ impl Work {
 
 /// Whether nothing behind it depends on what the machine does with it.
 fn runs_on(next: &Result<Step, Box<Alarm>>) -> bool {
-    let Ok(Step { op, .. }) = next else { return false };
-    matches!(
-        op,
-        Op::Rapid { .. } | Op::Feed { .. } | Op::Arc { .. } | Op::Output { with_next_move: true, .. }
-    )
+    match next {
+        Ok(Step { op, .. }) => matches!(
+            op,
+            Op::Rapid { .. } | Op::Feed { .. } | Op::Arc { .. } | Op::Output { with_next_move: true, .. }
+        ),
+        Err(alarm) => alarm.severity == Severity::Warning,
+    }
 }
 
 /// What is needed to read beside.

@@ -33,8 +33,7 @@ fn across(a: Position, b: Position) -> f64 {
 
 /// What the block that comes has done already when the axes came to rest at `at`; none where it begins as a whole.
 pub(super) fn done_before(interpreter: &Interpreter, start: Position, at: Position) -> Option<Left> {
-    let mut ahead = interpreter.clone();
-    ahead.set_mark(None);
+    let mut ahead = interpreter.looking_ahead();
     let block = interpreter.blocks_begun() + 1;
     let mut steps: Vec<Step> = Vec::new();
     while let Some(Ok(step)) = ahead.next() {

@@ -107,7 +107,9 @@ fn source(args: &ImportArgs, shop: &Shop) -> Result<Box<Source>, Failure> {
     let has_file = shop.setup.import.is_some();
     settings.check_named(&|key| option(args, key, has_file)).map_err(Failure::setting)?;
     let told = match &args.from {
-        Some(name) => Some(Format::named(name).ok_or_else(|| Failure::bad_setting("--from", name))?),
+        Some(name) => {
+            Some(Format::named(name).ok_or_else(|| Failure::bad_setting("--from", name, settings::FORMATS))?)
+        }
         None => named,
     };
     // Only a drawing is looked for: what is none must be named.
@@ -173,10 +175,12 @@ fn apply(args: &ImportArgs, to: &mut Settings) -> Result<(), Failure> {
         to.three_dimensional = dims == 3;
     }
     if let Some(name) = &args.units {
-        to.unit = Some(settings::unit_named(name).ok_or_else(|| Failure::bad_setting("--units", name))?);
+        let wrong = || Failure::bad_setting("--units", name, &settings::units());
+        to.unit = Some(settings::unit_named(name).ok_or_else(wrong)?);
     }
     if let Some(name) = &args.order {
-        to.order = Order::named(name).ok_or_else(|| Failure::bad_setting("--order", name))?;
+        let wrong = || Failure::bad_setting("--order", name, settings::ORDERS);
+        to.order = Order::named(name).ok_or_else(wrong)?;
     }
     for (option, given, rows) in
         [("--layer", &args.layers, &mut to.layers), ("--pen", &args.pens, &mut to.pens)]
@@ -184,7 +188,7 @@ fn apply(args: &ImportArgs, to: &mut Settings) -> Result<(), Failure> {
         for text in given {
             // Names may hold an equals sign, what stands behind the last one does not.
             let row = text.rsplit_once('=').and_then(|(name, change)| Some((name, Change::parse(change)?)));
-            let (name, change) = row.ok_or_else(|| Failure::bad_setting(option, text))?;
+            let (name, change) = row.ok_or_else(|| Failure::bad_setting(option, text, settings::ROW))?;
             rows.push((name.into(), change));
         }
     }

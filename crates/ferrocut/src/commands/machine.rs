@@ -160,6 +160,7 @@ pub struct NamesArgs {
 #[command(
     after_help = "All values are checked first; if one is wrong, nothing is written. The value `default` takes\n\
     the parameter out of the file.\n\n\
+    Exit status: 0, or 2 where nothing is written.\n\n\
     Example:\n  \
     ferrocut machine params set P270=1.5 NO43.1=0 P87=default --machine mill.toml"
 )]
@@ -208,7 +209,8 @@ pub struct ExportArgs {
 #[command(
     after_help = "The columns `name` and `value` are read, in any order, with commas or semicolons. Values that\n\
     the machine has already are not written. If one row is wrong, nothing is written and every wrong\n\
-    row is told."
+    row is told.\n\n\
+    Exit status: 0, or 2 where nothing is written, as that of `set`."
 )]
 pub struct ImportArgs {
     /// The table; - reads standard input

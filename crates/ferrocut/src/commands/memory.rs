@@ -43,7 +43,7 @@ pub enum MemoryCommand {
 /// Names of items, for help.
 const ITEMS: &str = "The items are\n  \
     programs, parameters, offsets, zeros, reference-points, variables, pitch, plc, counters, alarms, log,\n  \
-    position.";
+    position, interrupted, ladder.";
 
 /// `ferrocut memory show`
 #[derive(Args)]
@@ -90,12 +90,13 @@ pub struct CheckArgs {
     any tool. It is of one moment, also of a control that runs. Passwords are never in it. {ITEMS}\n\n\
     Examples:\n  \
     ferrocut memory backup /var/lib/ferrocut -o mill.backup\n  \
-    ferrocut memory backup /var/lib/ferrocut -o tools.backup --item offsets,parameters"))]
+    ferrocut memory backup /var/lib/ferrocut -o tools.backup --item offsets,parameters\n  \
+    ferrocut memory backup /var/lib/ferrocut -o - | gzip > mill.backup.gz"))]
 pub struct BackupArgs {
     /// The folder of the memory
     #[arg(value_name = "FOLDER")]
     pub folder: PathBuf,
-    /// The backup to write
+    /// The backup to write; - is standard output
     #[arg(short, long, value_name = "FILE")]
     pub output: PathBuf,
     /// Only these items [default: all]
@@ -110,7 +111,7 @@ pub struct BackupArgs {
 #[derive(Args)]
 #[command(after_help = format!("The whole file is checked first; then all is written or nothing. Programs of the backup are put\n\
     beside those that there are, in place of those of the same name; the histories are merged; every other item becomes\n\
-    what the backup has of it. The position at power-off is restored only where it is named. A memory that does not exist\n\
+    what the backup has of it. The position at power-off and the interrupted program are restored only where named. A memory that does not exist\n\
     is made. The control must not run. {ITEMS}\n\n\
     Examples:\n  \
     ferrocut memory restore mill.backup /var/lib/ferrocut\n  \
@@ -122,7 +123,7 @@ pub struct RestoreArgs {
     /// The folder of the memory
     #[arg(value_name = "FOLDER")]
     pub folder: PathBuf,
-    /// Only these items [default: all that the backup holds, but the position]
+    /// Only these items [default: all that the backup holds, but position and interrupted]
     #[arg(long, value_name = "ITEM", value_delimiter = ',', value_parser = item)]
     pub item: Vec<Item>,
     /// How results are printed.

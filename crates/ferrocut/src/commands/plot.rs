@@ -8,8 +8,11 @@ use crate::outputs;
 use crate::plot::{Gauge, Peak, QUANTITIES, draw};
 use ferrocut_controller::{Clock, Cnc, State};
 use ferrocut_geometry::Axis;
+use ferrocut_interpreter::Options;
 use serde::Serialize;
 use std::collections::BTreeMap;
+use std::ffi::OsStr;
+use std::path::Path;
 
 /// What was measured as JSON.
 #[derive(Serialize)]
@@ -49,18 +52,24 @@ impl JsonPeak {
 /// Runs the command.
 pub fn run(args: &PlotArgs) -> Result<Exit, Failure> {
     let shop = Shop::open(&args.common)?;
-    if let Some(output) = &args.output {
+    let output = args.output.as_deref().filter(|path| *path != Path::new("-"));
+    if let Some(output) = output {
         outputs::check_beside(output, &args.file, &args.common)?;
+        let is_other = |extension: &OsStr| !extension.eq_ignore_ascii_case("svg");
+        if output.extension().is_some_and(is_other) {
+            return Err(Failure::plot_setting("--output", &output.to_string_lossy(), ".svg, -"));
+        }
     }
     let span = [args.from, args.to.unwrap_or(f64::INFINITY)];
     if span[0] >= span[1] {
-        return Err(Failure::plot_setting("--to", &span[1].to_string()));
+        let allowed = format!("> {}", span[0]);
+        return Err(Failure::plot_setting("--to", &span[1].to_string(), &allowed));
     }
     let axes = chosen_axes(args, &shop)?;
     let job = shop.job(&args.file)?;
     job.tell(&shop);
     let name = job.path.to_string_lossy().into_owned();
-    let interpreter = job.keeping().interpreter(shop.options());
+    let interpreter = job.keeping().interpreter(Options { warns: true, ..shop.options() });
     // The limits are those that the control's own parameters leave.
     let mut machine = shop.machine.clone();
     (interpreter.dialect().machine_parameters)(&interpreter.memory().parameters, &mut machine);
@@ -79,7 +88,7 @@ pub fn run(args: &PlotArgs) -> Result<Exit, Failure> {
     let exit = report_end(&cnc, &shop, &name);
     let is_json = shop.diagnostics.is_json();
     let svg = || draw(&gauge, &name, &machine.name, &shop.diagnostics.catalogue());
-    match &args.output {
+    match output {
         Some(path) => {
             let file = path.to_string_lossy().into_owned();
             std::fs::write(path, svg()).map_err(|error| Failure::cannot_write(&file, &error))?;
@@ -102,12 +111,12 @@ pub fn run(args: &PlotArgs) -> Result<Exit, Failure> {
 fn chosen_axes(args: &PlotArgs, shop: &Shop) -> Result<Vec<Axis>, Failure> {
     let all = shop.machine.axis_set();
     let Some(letters) = &args.axes else { return Ok(all.iter().collect()) };
-    let axis = |letter: u8| {
-        Axis::from_letter(letter.to_ascii_uppercase())
-            .filter(|axis| all.contains(*axis))
-            .ok_or_else(|| Failure::plot_setting("--axes", letters))
-    };
-    letters.bytes().map(axis).collect()
+    let axis = |letter: u8| Axis::from_letter(letter.to_ascii_uppercase()).filter(|axis| all.contains(*axis));
+    let chosen: Option<Vec<Axis>> = letters.bytes().map(axis).collect();
+    chosen.filter(|chosen| !chosen.is_empty()).ok_or_else(|| {
+        let allowed: String = all.iter().map(Axis::letter).collect();
+        Failure::plot_setting("--axes", letters, &allowed)
+    })
 }
 
 fn report<'a>(gauge: &Gauge, cnc: &Cnc, program: &'a str, machine: &'a str) -> JsonPlot<'a> {

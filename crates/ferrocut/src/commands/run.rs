@@ -10,10 +10,10 @@ use crate::samples::Samples;
 use crate::stdout;
 use ferrocut_controller::drives::{self, Simulated};
 use ferrocut_controller::{Clock, Cnc, Event, State, Tick};
-use ferrocut_desk::finding::point_at_word;
+use ferrocut_desk::finding::{AllFound, point_at_word};
 use ferrocut_geometry::Axis;
 use ferrocut_interpreter::Options;
-use ferrocut_machine::{Fault, Machine};
+use ferrocut_machine::{Alarm, Fault, Machine};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use serde::Serialize;
 use std::io::{self, IsTerminal, Write};
@@ -55,7 +55,8 @@ pub fn run(args: &RunArgs) -> Result<Exit, Failure> {
         // A reader that went away is no fault of the run.
         let _ = write_header(&mut stdout::lock(), &shop, &job, &name);
     }
-    let interpreter = job.keeping().interpreter(Options { loops_forever: args.realtime, ..shop.options() });
+    let options = Options { loops_forever: args.realtime, warns: true, ..shop.options() };
+    let interpreter = job.keeping().interpreter(options);
     // Nothing but a run at true speed moves a real machine.
     let real = match args.realtime {
         true => drives::connect(&shop.machine, interpreter.position()).map_err(Failure::setting)?,
@@ -189,7 +190,7 @@ pub fn drive(
         let before = cnc.state() == &State::Running;
         let tick = cnc.tick();
         for event in cnc.events() {
-            screen.event(&event, cnc, diagnostics, name);
+            screen.event(event, cnc, diagnostics, name);
         }
         match cnc.state() {
             // Axes that failed come to rest before their alarm is given.
@@ -217,12 +218,17 @@ pub struct Screen {
     axes: Vec<Axis>,
     next: Instant,
     asks: bool,
+    /// Warnings told, each once however often the program comes to it.
+    told: AllFound,
     /// Ticks until the clock is looked at again.
     countdown: u32,
 }
 
 /// How often the live line is drawn.
 const REDRAW: Duration = Duration::from_millis(100);
+
+/// Warnings of different places that are told.
+const MOST_WARNINGS: usize = 200;
 
 /// Ticks between two looks at the clock on a virtual clock, which are cheaper than the look.
 const LOOK_EVERY: u32 = 64;
@@ -238,7 +244,7 @@ impl Screen {
         }
         let axes = shop.machine.axis_set().iter().collect();
         let asks = realtime && io::stdin().is_terminal() && !shop.diagnostics.is_json();
-        Screen { bar, axes, next: Instant::now(), asks, countdown: 0 }
+        Screen { bar, axes, next: Instant::now(), asks, told: AllFound::new(MOST_WARNINGS), countdown: 0 }
     }
 
     /// Draws position, line and time so far.
@@ -271,16 +277,22 @@ impl Screen {
         ));
     }
 
-    fn event(&self, event: &Event, cnc: &Cnc, diagnostics: &Diagnostics, name: &str) {
-        self.bar.suspend(|| match event {
-            Event::Warning(alarm) => {
-                let mut alarm = alarm.clone();
-                point_at_word(&mut alarm, cnc.interpreter());
-                diagnostics.report(&alarm, name, Some(cnc.interpreter().programs()));
-            }
-            Event::Message(text) => eprintln!("{text}"),
+    fn event(&mut self, event: Event, cnc: &Cnc, diagnostics: &Diagnostics, name: &str) {
+        match event {
+            Event::Warning(alarm) => self.warn(alarm, cnc, diagnostics, name),
+            Event::Message(text) => self.bar.suspend(|| eprintln!("{text}")),
             Event::ToolChange(_) => {}
-        });
+        }
+    }
+
+    /// Tells a warning of a place that none was told of.
+    pub fn warn(&mut self, alarm: Alarm, cnc: &Cnc, diagnostics: &Diagnostics, name: &str) {
+        let known = self.told.found.len();
+        self.told.add(alarm, cnc.interpreter());
+        if let Some(new) = self.told.found.get(known) {
+            let programs = cnc.interpreter().programs();
+            self.bar.suspend(|| diagnostics.report(&new.alarm, name, Some(programs)));
+        }
     }
 
     /// M00 and M01: asks for cycle start where somebody sits there, else goes on.

@@ -5,7 +5,8 @@ use crate::commands::run::{Screen, report_end, write_text};
 use crate::job::{Exit, Failure, Shop};
 use crate::report::JsonReport;
 use crate::stdout;
-use ferrocut_controller::{Cnc, State};
+use ferrocut_controller::{Cnc, Event, State};
+use ferrocut_interpreter::Options;
 use std::io::{self, Write};
 
 /// Runs the command.
@@ -14,13 +15,18 @@ pub fn run(args: &TimeArgs) -> Result<Exit, Failure> {
     let job = shop.job(&args.file)?;
     job.tell(&shop);
     let name = job.path.to_string_lossy().into_owned();
-    let interpreter = job.keeping().interpreter(shop.options());
+    let interpreter = job.keeping().interpreter(Options { warns: true, ..shop.options() });
     let mut cnc = Cnc::new(&shop.machine, interpreter);
     let mut screen = Screen::new(&shop, &cnc, false);
     loop {
         cnc.cycle_start();
         while cnc.state() == &State::Running {
             let tick = cnc.tick();
+            for event in cnc.events() {
+                if let Event::Warning(alarm) = event {
+                    screen.warn(alarm, &cnc, &shop.diagnostics, &name);
+                }
+            }
             screen.show(&tick, &cnc);
         }
         // What waits for the operator takes no time that a prediction could know.

@@ -370,7 +370,7 @@ impl Interpreter {
         if let Err(alarm) = self.check_stages(&plan, span) {
             return self.give_up_described(alarm);
         }
-        if self.options.keep_going {
+        if self.tells() {
             for wrong in &plan.warnings {
                 let warning = self.wrong_parameter(*wrong, span).as_warning();
                 self.note(Box::new(warning));

@@ -68,7 +68,7 @@ FC-1017 = A PLT instruction is not carried out
     .help = If it draws something, such as letters, that is missing: compare the picture with the drawing.
 
 FC-1018 = The setting of the import cannot be used
-    .detail = { $setting }: { $value }
+    .detail = { $setting }: { $value }; allowed: { $allowed }
     .help = Give it as the help of the import command describes.
 
 FC-1019 = Drawings cannot be written in this control language

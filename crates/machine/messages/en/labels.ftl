@@ -44,6 +44,8 @@ label-no-code = { $dialect } has no code { $name }
 label-no-alarm = { $dialect } has no alarm { $name }
 label-no-variable = { $dialect } has no variable #{ $name }
 label-no-parameter = { $dialect } has no parameter { $name }
+label-no-parameters = { $dialect } has no parameters
+label-no-sign = { $dialect } writes its arithmetic parameters without a sign: { $name }
 label-several-parameters = { $name } is the symbol of several parameters: { $names }
 label-whole-bits = { $name } has several bits: name one, as in { $name }.1
 label-malformed-name = { $name } names no parameter: write P270, NO43.1 or the symbol
@@ -176,6 +178,7 @@ label-params-kept = kept
 label-params-used = used
 label-params-meaning = meaning
 label-params-none = no such parameter
+label-params-no-match = no parameter of { $dialect } matches { $name }
 label-params-checked = { $parameters ->
     [one] 1 parameter
    *[other] { $parameters } parameters

@@ -5,7 +5,7 @@ FC-1101 = A rule of ladders is broken
     .help = The number of the control says which one.
 
 FC-1102 = The setting of the ladder's run cannot be used
-    .detail = { $setting }: { $value }
+    .detail = { $setting }: { $value }; allowed: { $allowed }
     .help = Give a signal by its name or address, such as X20.3, and its value behind =.
 
 FC-1420 = The ladder has not finished a code

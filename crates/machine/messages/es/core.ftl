@@ -511,8 +511,8 @@ FC-0908 = La imagen tiene que ser un archivo .png o .svg
     .detail = { $file }
 
 FC-0909 = El ajuste de la gráfica no sirve
-    .help = Indique ejes de la máquina, cada uno por su letra, y acabe más tarde de lo que empieza.
-    .detail = { $setting }: { $value }
+    .help = Indique ejes de la máquina, cada uno por su letra, acabe más tarde de lo que empieza y escriba un archivo .svg.
+    .detail = { $setting }: { $value }; admitido: { $allowed }
 
 FC-0514 = Ciclo de fresado con un eje en imagen espejo
     .help = Use factores de escala positivos.

@@ -68,7 +68,7 @@ FC-1017 = No se ejecuta una instrucción PLT
     .help = Si dibuja algo, por ejemplo letras, eso falta: compare la imagen con el dibujo.
 
 FC-1018 = El ajuste de la importación no sirve
-    .detail = { $setting }: { $value }
+    .detail = { $setting }: { $value }; admitido: { $allowed }
     .help = Delo como lo describe la ayuda de la orden import.
 
 FC-1019 = En este lenguaje de control no se pueden escribir dibujos

@@ -44,6 +44,8 @@ label-no-code = { $dialect } no tiene el código { $name }
 label-no-alarm = { $dialect } no tiene la alarma { $name }
 label-no-variable = { $dialect } no tiene la variable #{ $name }
 label-no-parameter = { $dialect } no tiene el parámetro { $name }
+label-no-parameters = { $dialect } no tiene parámetros
+label-no-sign = { $dialect } escribe sus parámetros aritméticos sin signo: { $name }
 label-several-parameters = { $name } es el símbolo de varios parámetros: { $names }
 label-whole-bits = { $name } tiene varios bits: indique uno, como { $name }.1
 label-malformed-name = { $name } no es nombre de parámetro: escriba P270, NO43.1 o el símbolo
@@ -176,6 +178,7 @@ label-params-kept = guardado
 label-params-used = usado
 label-params-meaning = significado
 label-params-none = no existe ese parámetro
+label-params-no-match = ningún parámetro de { $dialect } coincide con { $name }
 label-params-checked = { $parameters ->
     [one] 1 parámetro comprobado
    *[other] { $parameters } parámetros comprobados

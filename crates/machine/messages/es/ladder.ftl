@@ -5,7 +5,7 @@ FC-1101 = Se incumple una regla de los diagramas de contactos
     .help = El número del control dice cuál.
 
 FC-1102 = El ajuste de la ejecución del diagrama de contactos no sirve
-    .detail = { $setting }: { $value }
+    .detail = { $setting }: { $value }; admitido: { $allowed }
     .help = Dé una señal por su nombre o dirección, como X20.3, y su valor detrás de =.
 
 FC-1420 = El diagrama de contactos no ha terminado un código

@@ -52,6 +52,8 @@ label-no-code = в { $dialect } нет кода { $name }
 label-no-alarm = в { $dialect } нет аварии { $name }
 label-no-variable = в { $dialect } нет переменной #{ $name }
 label-no-parameter = в { $dialect } нет параметра { $name }
+label-no-parameters = в { $dialect } нет параметров
+label-no-sign = { $dialect } пишет свои арифметические параметры без знака: { $name }
 label-several-parameters = символ { $name } есть у нескольких параметров: { $names }
 label-whole-bits = у { $name } несколько битов: назовите один, например { $name }.1
 label-malformed-name = { $name } не имя параметра: напишите P270, NO43.1 или символ
@@ -186,6 +188,7 @@ label-params-kept = хранится
 label-params-used = используется
 label-params-meaning = назначение
 label-params-none = такого параметра нет
+label-params-no-match = в { $dialect } ни один параметр не подходит под { $name }
 label-params-checked = { $parameters ->
     [one] проверен { $parameters } параметр
     [few] проверены { $parameters } параметра

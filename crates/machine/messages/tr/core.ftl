@@ -511,8 +511,8 @@ FC-0908 = Resim dosyası .png ya da .svg olmalı
     .detail = { $file }
 
 FC-0909 = Grafiğin ayarı kullanılamıyor
-    .help = Tezgâhın eksenlerini harfleriyle yazın; bitiş başlangıçtan sonra olsun.
-    .detail = { $setting }: { $value }
+    .help = Tezgâhın eksenlerini harfleriyle yazın; bitiş başlangıçtan sonra olsun ve dosya .svg olsun.
+    .detail = { $setting }: { $value }; izin verilen: { $allowed }
 
 FC-0514 = Bir eksen aynalanmışken frezeleme çevrimi çağrılıyor
     .help = Artı ölçek çarpanları kullanın.

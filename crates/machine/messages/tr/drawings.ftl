@@ -68,7 +68,7 @@ FC-1017 = Bir PLT komutu yürütülmüyor
     .help = Bir şey, örneğin harf çiziyorsa o eksiktir: görüntüyü çizimle karşılaştırın.
 
 FC-1018 = İçe aktarma ayarı kullanılamıyor
-    .detail = { $setting }: { $value }
+    .detail = { $setting }: { $value }; izin verilen: { $allowed }
     .help = Ayarı import komutunun yardımında anlatıldığı gibi verin.
 
 FC-1019 = Çizimler bu kontrolün program dilinde yazılamaz

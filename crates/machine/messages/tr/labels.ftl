@@ -44,6 +44,8 @@ label-no-code = { $dialect } kontrolünde { $name } kodu yok
 label-no-alarm = { $dialect } kontrolünde { $name } alarmı yok
 label-no-variable = { $dialect } kontrolünde #{ $name } değişkeni yok
 label-no-parameter = { $dialect } kontrolünde { $name } parametresi yok
+label-no-parameters = { $dialect } kontrolünün parametreleri yok
+label-no-sign = { $dialect } aritmetik parametrelerini işaretsiz yazar: { $name }
 label-several-parameters = { $name } birden çok parametrenin simgesi: { $names }
 label-whole-bits = { $name } birden çok bitten oluşur: birini belirtin, örneğin { $name }.1
 label-malformed-name = { $name } bir parametre adı değil: P270, NO43.1 ya da simgeyi yazın
@@ -176,6 +178,7 @@ label-params-kept = saklanır
 label-params-used = kullanılır
 label-params-meaning = anlamı
 label-params-none = böyle bir parametre yok
+label-params-no-match = { $dialect } kontrolünde { $name } ile eşleşen parametre yok
 label-params-checked = { $file } dosyasının { $parameters ->
     [one] 1 parametresi
    *[other] { $parameters } parametresi

@@ -5,7 +5,7 @@ FC-1101 = Merdiven programının bir kuralına uyulmamış
     .help = Hangi kural olduğunu kontrolün alarm numarası söyler.
 
 FC-1102 = Merdiven programını çalıştırma ayarı kullanılamıyor
-    .detail = { $setting }: { $value }
+    .detail = { $setting }: { $value }; izin verilen: { $allowed }
     .help = Sinyali adıyla ya da X20.3 gibi adresiyle, değerini = arkasında verin.
 
 FC-1420 = Merdiven programı bir kodu bitirmedi

@@ -491,8 +491,8 @@ FC-0908 = 图形须为 .png 或 .svg 文件
     .detail = { $file }
 
 FC-0909 = 曲线图的设置无法使用
-    .help = 请用字母指定机床已有的轴，且结束时间须晚于开始时间。
-    .detail = { $setting }：{ $value }
+    .help = 请用字母指定机床已有的轴，结束时间须晚于开始时间，文件须为 .svg。
+    .detail = { $setting }：{ $value }；允许：{ $allowed }
 
 FC-0514 = 镜像时调用了铣削循环
     .help = 使用正的缩放倍率。

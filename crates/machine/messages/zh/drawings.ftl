@@ -68,7 +68,7 @@ FC-1017 = 有 PLT 指令未执行
     .help = 如果该指令绘制内容（例如文字），则该内容缺失：请将路径图与原图比较。
 
 FC-1018 = 导入设置不可用
-    .detail = { $setting }：{ $value }
+    .detail = { $setting }：{ $value }；允许：{ $allowed }
     .help = 请按导入命令的帮助给出。
 
 FC-1019 = 不能用这种控制语言写出图纸

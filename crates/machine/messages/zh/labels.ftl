@@ -40,6 +40,8 @@ label-no-code = { $dialect } 没有代码 { $name }
 label-no-alarm = { $dialect } 没有报警 { $name }
 label-no-variable = { $dialect } 没有变量 #{ $name }
 label-no-parameter = { $dialect } 没有参数 { $name }
+label-no-parameters = { $dialect } 没有参数
+label-no-sign = { $dialect } 的算术参数不带符号：{ $name }
 label-several-parameters = 多个参数的符号都是 { $name }：{ $names }
 label-whole-bits = { $name } 有多个位：请指明一位，例如 { $name }.1
 label-malformed-name = { $name } 不是参数名：请写成 P270、NO43.1 或符号
@@ -168,6 +170,7 @@ label-params-kept = 仅保存
 label-params-used = 使用
 label-params-meaning = 含义
 label-params-none = 没有这样的参数
+label-params-no-match = { $dialect } 没有与 { $name } 匹配的参数
 label-params-checked = 检查了 { $file } 的 { $parameters } 个参数：{ $findings ->
     [0] 无问题
    *[other] { $findings } 个问题

@@ -65,7 +65,7 @@ pub fn run(args: &CheckArgs, common: &Common) -> Result<Exit, Failure> {
             exit = exit.max(Exit::Finding);
         }
         let written = match diagnostics.is_json() {
-            true => write_json(&mut out, &file, &remarks),
+            true => write_json(&mut out, &file, machine.as_ref(), &remarks),
             false => write_text(&mut out, at, &file, machine.as_ref(), &remarks, catalogue),
         };
         // A reader that went away is no fault of the file.
@@ -85,7 +85,13 @@ fn read(path: &Path) -> io::Result<String> {
     std::fs::read_to_string(path)
 }
 
-fn write_json(out: &mut dyn Write, file: &str, remarks: &[Remark]) -> io::Result<()> {
+/// An object for each remark, and one for the machine that the file makes.
+fn write_json(
+    out: &mut dyn Write,
+    file: &str,
+    machine: Option<&Machine>,
+    remarks: &[Remark],
+) -> io::Result<()> {
     for remark in remarks {
         let severity = if remark.is_error { "error" } else { "warning" };
         let object = serde_json::json!({
@@ -93,7 +99,10 @@ fn write_json(out: &mut dyn Write, file: &str, remarks: &[Remark]) -> io::Result
         });
         writeln!(out, "{object}")?;
     }
-    Ok(())
+    match machine {
+        Some(machine) => writeln!(out, "{}", summary_json(file, machine)),
+        None => Ok(()),
+    }
 }
 
 fn write_text(
@@ -309,6 +318,35 @@ impl<'a> Lines<'a> {
     }
 }
 
+/// The machine as an object.
+fn summary_json(file: &str, machine: &Machine) -> serde_json::Value {
+    let axes = machine.axes.iter().map(|axis| {
+        serde_json::json!({
+            "axis": axis.name.letter().to_string(),
+            "kind": if axis.kind == AxisKind::Linear { "linear" } else { "rotary" },
+            "min": axis.min,
+            "max": axis.max,
+            "rapid": axis.rapid,
+            "velocity": axis.velocity,
+            "acceleration": axis.acceleration,
+            "jerk": axis.jerk,
+        })
+    });
+    serde_json::json!({
+        "file": file,
+        "machine": machine.name,
+        "dialect": machine.dialect,
+        "servo_period_ms": machine.servo_period_ms,
+        "axes": axes.collect::<Vec<_>>(),
+        "spindle_max_rpm": machine.spindle.max_rpm,
+        "tool_change_s": machine.tool_change.time_s,
+        "tools": machine.tool_change.tools,
+        "tolerance": machine.path.tolerance,
+        "exact_stop": machine.path.exact_stop,
+        "parameters": machine.parameters.len(),
+    })
+}
+
 /// The machine in lines.
 fn summary(file: &str, machine: &Machine, catalogue: Catalogue) -> String {
     let label = |key: &str| catalogue.label(&format!("label-machine-{key}"), &[]);
@@ -383,8 +421,8 @@ mod tests {
             ("jerk = 50000.0", "jerk = 50.0", "jerk"),
             ("max = 500.0", "max = 500000.0", "500500 mm"),
             ("min = -500.0", "min = 100.0", "0 lies outside"),
-            ("max_rpm = 8000.0", "max_rpm = 8000000.0", "r/min"),
-            ("acceleration_rpm_s = 4000.0", "acceleration_rpm_s = 4.0", "2000 s"),
+            ("max_rpm = 6000.0", "max_rpm = 6000000.0", "r/min"),
+            ("acceleration_rpm_s = 4000.0", "acceleration_rpm_s = 4.0", "1500 s"),
             ("tolerance = 0.01", "tolerance = 10.0", "10 mm"),
             ("time_s = 5.0", "time_s = 5000.0", "5000 s"),
             ("dialect = \"gsk990mc\"", "dialect = \"gsk\"", "gsk"),

@@ -33,16 +33,20 @@ pub fn run(args: &NewArgs, common: &Common) -> Result<Exit, Failure> {
     let file = args.output.to_string_lossy();
     let text = text(args.name.as_deref());
     if args.output == Path::new("-") {
-        print(&text);
+        print(&match diagnostics.is_json() {
+            true => format!("{}\n", serde_json::json!({ "file": file, "text": text })),
+            false => text,
+        });
         return Ok(Exit::Fine);
     }
     let made = OpenOptions::new().write(true).create_new(true).open(&args.output);
     match made.and_then(|mut file| file.write_all(text.as_bytes())) {
         Ok(()) => {
-            if !diagnostics.is_json() {
-                let text = diagnostics.catalogue().label("label-written", &[("file", (&*file).into())]);
-                print(&format!("{text}\n"));
-            }
+            let said = match diagnostics.is_json() {
+                true => serde_json::json!({ "file": file }).to_string(),
+                false => diagnostics.catalogue().label("label-written", &[("file", (&*file).into())]),
+            };
+            print(&format!("{said}\n"));
             Ok(Exit::Fine)
         }
         Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {

@@ -5,7 +5,7 @@ use super::{ExportArgs, ImportArgs, ListArgs, ParamsCommand, SetArgs};
 use crate::cli::Common;
 use crate::commands::explain::{self, Book, dialect_of, unusable};
 use crate::commands::layout::{print, table};
-use crate::commands::names::{self, complain, name_error, parameter_error, range};
+use crate::commands::names::{self, NameError, complain, name_error, parameter_error, range};
 use crate::job::{Exit, Failure, Shop};
 use crate::outputs;
 use crate::stdout;
@@ -86,6 +86,10 @@ impl Target {
 }
 
 fn list(args: &ListArgs, book: &Book) -> Result<Exit, Failure> {
+    if book.table().is_empty() {
+        complain(&name_error(&NameError::None, book.dialect.name, book.catalogue), &book.diagnostics);
+        return Ok(Exit::WrongUse);
+    }
     let rooms: Vec<&str> = book.table().iter().map(|d| &*d.applies_to).collect();
     if let Some(room) = &args.room
         && !rooms.iter().any(|r| r.eq_ignore_ascii_case(room))
@@ -99,9 +103,8 @@ fn list(args: &ListArgs, book: &Book) -> Result<Exit, Failure> {
     }
     let find = args.find.as_ref().map(|text| text.to_lowercase());
     let has = |text: &str| find.as_ref().is_none_or(|find| text.to_lowercase().contains(find));
-    let wanted = |d: &ParameterDef, value: f64| {
+    let asked = |d: &ParameterDef| {
         args.room.as_ref().is_none_or(|room| d.applies_to.eq_ignore_ascii_case(room))
-            && (!args.changed || value != d.default)
             && has(&format!(
                 "{} {} {} {}",
                 d.name,
@@ -110,7 +113,13 @@ fn list(args: &ListArgs, book: &Book) -> Result<Exit, Failure> {
                 d.applies_to
             ))
     };
-    let rows: Vec<_> = values(book).filter(|(d, value)| wanted(d, *value)).collect();
+    let found: Vec<_> = values(book).filter(|(d, _)| asked(d)).collect();
+    if let Some(find) = args.find.as_ref().filter(|_| found.is_empty()) {
+        let arguments = [("name", find.as_str().into()), ("dialect", book.dialect.name.into())];
+        complain(&book.diagnostics.catalogue().label("label-params-no-match", &arguments), &book.diagnostics);
+        return Ok(Exit::WrongUse);
+    }
+    let rows: Vec<_> = found.into_iter().filter(|(d, value)| !args.changed || *value != d.default).collect();
     let mut out = stdout::lock();
     if book.diagnostics.is_json() {
         for (definition, value) in rows {
@@ -188,9 +197,6 @@ fn get(names: &[String], book: &Book) -> Result<Exit, Failure> {
         let written = match book.table().get(&key) {
             Some(definition) if book.diagnostics.is_json() => {
                 writeln!(out, "{}", parameter_json(definition, value, book.diagnostics.catalogue()))
-            }
-            None if book.diagnostics.is_json() => {
-                writeln!(out, "{}", serde_json::json!({ "name": book.table().name(&key), "value": value }))
             }
             _ => writeln!(out, "{}={value}", book.table().name(&key)),
         };
@@ -296,7 +302,9 @@ pub fn problems(machine: &Machine, book: &Book) -> Vec<(String, String)> {
                 continue;
             }
         };
-        if let Err(error) = memory.set_parameter(&key, *value) {
+        if book.table().is_empty() {
+            found.push((name.clone(), name_error(&NameError::None, dialect, book.catalogue)));
+        } else if let Err(error) = memory.set_parameter(&key, *value) {
             found.push((name.clone(), parameter_error(&error, dialect, book.catalogue)));
         }
         if let Some(other) = seen.insert(key, name) {
@@ -357,7 +365,7 @@ fn import(args: &ImportArgs, target: &Target) -> Result<Exit, Failure> {
                 }
             };
             complain(&text, &book.diagnostics);
-            return Ok(Exit::Finding);
+            return Ok(Exit::WrongUse);
         }
     };
     let mut memory = book.memory.clone();
@@ -385,7 +393,7 @@ fn import(args: &ImportArgs, target: &Target) -> Result<Exit, Failure> {
     }
     if wrong > 0 {
         complain(&target.say("label-nothing-written", &[]), &book.diagnostics);
-        return Ok(Exit::Finding);
+        return Ok(Exit::WrongUse);
     }
     let all = changes.len();
     let present = |(key, value): &Change| value.is_some_and(|v| v == book.memory.parameter(key));

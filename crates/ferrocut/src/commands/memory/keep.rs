@@ -8,6 +8,7 @@ use crate::commands::layout::print;
 use crate::diagnostics::Diagnostics;
 use crate::job::{Exit, Failure};
 use crate::outputs;
+use crate::stdout;
 use ferrocut_interpreter::dialects;
 use ferrocut_machine::{Alarm, Fault};
 use ferrocut_memory::{Backup, Level, OpenError, Reader, Seat, Settings, Store, damage};
@@ -37,7 +38,17 @@ pub fn back_up(args: &BackupArgs, diagnostics: &Diagnostics) -> Result<Exit, Fai
     let reader = Reader::open(&args.folder).map_err(|error| unopened(&args.folder, &error))?;
     let of_memory = std::fs::read_dir(&args.folder).into_iter().flatten().flatten();
     outputs::check(&args.output, of_memory.map(|file| file.path()))?;
-    let entries = reader.back_up(&args.output, &items(&args.item)).map_err(|error| refused(&error))?;
+    let is_piped = args.output == Path::new("-");
+    let entries = match is_piped {
+        true => reader.back_up_to(io::BufWriter::new(stdout::lock()), &items(&args.item)),
+        false => reader.back_up(&args.output, &items(&args.item)),
+    };
+    let entries = match entries {
+        Ok(entries) => entries,
+        // What became of standard output is told at the end: a reader that went away is no fault.
+        Err(_) if is_piped && stdout::is_lost() => return Ok(Exit::Fine),
+        Err(error) => return Err(refused(&error)),
+    };
     let file = name(&args.output);
     let said = match diagnostics.is_json() {
         true => {
@@ -47,7 +58,11 @@ pub fn back_up(args: &BackupArgs, diagnostics: &Diagnostics) -> Result<Exit, Fai
         }
         false => diagnostics.catalogue().label("label-written", &[("file", file.into())]),
     };
-    print(&format!("{said}\n"));
+    match is_piped {
+        // Standard output is the backup's, as that of `import` is the program's.
+        true => eprintln!("{said}"),
+        false => print(&format!("{said}\n")),
+    }
     Ok(Exit::Fine)
 }
 

@@ -1,6 +1,7 @@
 //! `ferrocut plc run`: a ladder at a desk.
 
 use super::{RunArgs, Source};
+use crate::commands::names::near;
 use crate::diagnostics::Diagnostics;
 use crate::job::{Exit, Failure};
 use crate::stdout;
@@ -198,18 +199,26 @@ fn print_flow(out: &mut impl Write, diagnostics: &Diagnostics, plc: &Plc) -> io:
 
 /// Reads `[MS:]SIGNAL=VALUE`.
 fn change(program: &Program, setting: &str, text: &str) -> Result<Change, Failure> {
-    let wrong = || Failure::ladder_setting(setting, text);
+    let form = if setting == "--set" { "[MS:]SIGNAL=VALUE" } else { "SIGNAL=VALUE" };
+    let wrong = || Failure::ladder_setting(setting, text, form);
     let (time, rest) = match text.split_once(':') {
         Some((time, rest)) => (time.parse().map_err(|_| wrong())?, rest),
         None => (0, text),
     };
     let (signal, value) = rest.split_once('=').ok_or_else(wrong)?;
-    let address = program.signal(signal.trim()).ok_or_else(wrong)?;
-    let value: u8 = value.trim().parse().map_err(|_| wrong())?;
-    if address.bit.is_some() && value > 1 {
-        return Err(wrong());
-    }
+    let address =
+        program.signal(signal.trim()).ok_or_else(|| no_signal(program, setting, text, signal.trim()))?;
+    let (most, allowed) = if address.bit.is_some() { (1, "0, 1") } else { (u8::MAX, "0 … 255") };
+    let value = value.trim().parse::<u8>().ok().filter(|value| *value <= most);
+    let value = value.ok_or_else(|| Failure::ladder_setting(setting, text, allowed))?;
     Ok(Change { ms: time, address, value })
+}
+
+/// A signal that the ladder does not have: names near to it, else the forms that a signal has.
+fn no_signal(program: &Program, setting: &str, text: &str, name: &str) -> Failure {
+    let near = near(name, program.symbols().iter().map(|symbol| symbol.name.to_string()));
+    let allowed = if near.is_empty() { "X20.3, D10, NAME".to_owned() } else { near.join(", ") };
+    Failure::ladder_setting(setting, text, &allowed)
 }
 
 /// The signals that are watched: those asked for, else all bits of Y and G.
@@ -221,7 +230,7 @@ fn watched(program: &Program, asked: &[String]) -> Result<Vec<Watched>, Failure>
     if !asked.is_empty() {
         let signal = |name: &String| {
             let address = program.signal(name.trim());
-            address.map(watch).ok_or_else(|| Failure::ladder_setting("--watch", name))
+            address.map(watch).ok_or_else(|| no_signal(program, "--watch", name, name.trim()))
         };
         return asked.iter().map(signal).collect();
     }
