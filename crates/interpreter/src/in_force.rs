@@ -1,6 +1,7 @@
 //! What is in force behind the blocks that were run, for whoever shows it.
 
-use crate::dialect::Meaning;
+use crate::dialect::{Dialect, Meaning};
+use crate::dialects::rs274::system_name;
 use crate::interpreter::{Interpreter, Location, Technology};
 use crate::modal::{Group, Modal};
 use crate::stages::units;
@@ -58,7 +59,13 @@ pub struct Shown {
 }
 
 impl Shown {
-    pub(crate) fn new(modal: &Modal, location: &Location, technology: &Technology) -> Shown {
+    pub(crate) fn new(
+        dialect: &Dialect,
+        modal: &Modal,
+        location: &Location,
+        technology: &Technology,
+    ) -> Shown {
+        let is_ngc = dialect.blocks.is_some();
         let is_surface = modal.meaning(Group::SurfaceSpeed) == Meaning::SurfaceSpeed;
         Shown {
             modal: *modal,
@@ -73,7 +80,11 @@ impl Shown {
             radius: (modal.meaning(Group::Cutter) != Meaning::CutterOff).then_some(technology.radius_number),
             tool: technology.in_spindle,
             called_tool: technology.tool,
-            system: location.system(),
+            // RS274/NGC has its systems for itself.
+            system: match modal.meaning(Group::WorkOffset) {
+                Meaning::WorkOffset(number) if is_ngc => Some(system_name(number)),
+                _ => location.system(),
+            },
         }
     }
 
@@ -86,7 +97,7 @@ impl Shown {
 impl Interpreter {
     /// What is in force behind the blocks that were read.
     pub fn shown(&self) -> Shown {
-        Shown::new(&self.modal, &self.location, &self.technology)
+        Shown::new(self.dialect, &self.modal, &self.location, &self.technology)
     }
 
     /// Words in force behind the blocks that were run. G codes are [`codes_in_force`](Self::codes_in_force).

@@ -153,7 +153,10 @@ impl Interpreter {
 
     /// The work coordinate system in force, as the program calls it.
     pub fn work_system(&self) -> Option<WorkOffset> {
-        self.location.system()
+        match self.dialect.blocks {
+            Some(_) => Some(self.ngc_system_name()),
+            None => self.location.system(),
+        }
     }
 
     /// Whether a person may set the variable: one that stands for nothing else.
@@ -163,6 +166,10 @@ impl Interpreter {
 
     /// The work coordinate system that was in force before power went off (GSK990MC 4.2.8, 3), if the control has it still.
     pub fn take_up_work_system(&mut self, name: WorkOffset) {
+        // RS274/NGC has it in a variable.
+        if self.dialect.blocks.is_some() {
+            return;
+        }
         let Some(system) = WorkSystem::select(name, &self.memory.work, &self.location.work) else { return };
         let number = match name {
             WorkOffset::Standard(number) => number,

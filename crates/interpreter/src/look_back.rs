@@ -60,7 +60,10 @@ impl Interpreter {
     pub fn shown_at(&self, block: u64) -> Shown {
         let kept = self.look_back.iter().flat_map(|kept| kept.executed.iter().rev());
         let at = kept.into_iter().find(|kept| kept.block <= block);
-        at.map_or_else(|| self.shown(), |at| Shown::new(&at.modal, &at.location, &at.technology))
+        at.map_or_else(
+            || self.shown(),
+            |at| Shown::new(self.dialect, &at.modal, &at.location, &at.technology),
+        )
     }
 
     /// Notes what is in force as the present block gives out a step.

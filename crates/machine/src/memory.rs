@@ -6,6 +6,7 @@ use crate::tool_library::ToolLibrary;
 use ferrocut_geometry::{Axis, Position};
 use std::collections::BTreeMap;
 use std::fmt;
+use std::ops::RangeInclusive;
 
 /// The memory of one control.
 #[derive(Clone, Debug)]
@@ -24,7 +25,16 @@ pub struct Memory {
     pub reference_points: [Position; 4],
     /// Whether P10 to P64 are other names of offsets and reference points.
     offsets_are_parameters: bool,
+    /// Coordinate systems stand in variables too.
+    systems_are_variables: bool,
 }
+
+/// Variables that keep their values while power is off (GSK990MC 4.9.2, table 4-9-2-1).
+const KEPT: RangeInclusive<u32> = 500..=999;
+
+/// Those in which RS274/NGC has the shift of G92, the coordinate system in force and the turns of all (LinuxCNC, numbered
+/// parameters): they are kept as the zeros are.
+const KEPT_SYSTEMS: RangeInclusive<u32> = 5210..=5390;
 
 impl Memory {
     /// The memory as delivered: parameters at their default, everything else zero or empty.
@@ -50,7 +60,13 @@ impl Memory {
             variables: Variables::new(),
             reference_points: [Position::ZERO; 4],
             offsets_are_parameters: dialect == "gsk990mc",
+            systems_are_variables: dialect == "rs274",
         }
+    }
+
+    /// Whether a variable keeps its value while power is off.
+    pub fn keeps_variable(&self, number: u32) -> bool {
+        KEPT.contains(&number) || self.systems_are_variables && KEPT_SYSTEMS.contains(&number)
     }
 
     /// Sets a parameter, in the unit of the control's list. Where the parameter is another name of an

@@ -75,6 +75,7 @@ impl Applier {
                 Change::Parameter { .. }
                 | Change::Offset { .. }
                 | Change::WorkZero { .. }
+                | Change::ReferencePoint { .. }
                 | Change::Variable { .. } => Ok(()),
                 _ => Err(Error::NotByThis),
             },
@@ -109,10 +110,7 @@ impl Applier {
         if self.control != "gsk990mc" {
             return Ok(());
         }
-        let forbidden = |number, bit| match self.judge.parameters.bit(number, bit) {
-            true => Err(Error::Protected(format!("NO{number}.{bit}").into())),
-            false => Ok(()),
-        };
+        let forbidden = |number, bit| self.forbidden(number, bit);
         let of_number = |name: &str| match program_number(name) {
             Some(80_000..=89_999) => forbidden(27, 0),
             Some(90_000..=99_999) => forbidden(27, 4),
@@ -572,6 +570,28 @@ impl Applier {
         match item {
             Item::Programs | Item::Alarms | Item::Log => Ok(()),
             _ => self.database.clear(rows::table(item)),
+        }
+    }
+
+    /// Whether an item may be put back as a whole: not by a person where any row of it is closed.
+    pub fn check_restore(&self, author: &Author, item: Item) -> Result<(), Error> {
+        if !matches!(author, Author::Person { .. }) || self.control != "gsk990mc" {
+            return Ok(());
+        }
+        match item {
+            Item::Offsets if self.judge.parameters.data(212) > 0.0 => Err(Error::Protected("P211".into())),
+            Item::Offsets => self.forbidden(29, 0).and_then(|()| self.forbidden(29, 1)),
+            Item::Variables => self.forbidden(29, 2),
+            Item::WorkZeros => self.forbidden(29, 3),
+            _ => Ok(()),
+        }
+    }
+
+    /// What this bit forbids persons at the panel.
+    fn forbidden(&self, number: u16, bit: u8) -> Result<(), Error> {
+        match self.judge.parameters.bit(number, bit) {
+            true => Err(Error::Protected(format!("NO{number}.{bit}").into())),
+            false => Ok(()),
         }
     }
 

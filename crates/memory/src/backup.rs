@@ -527,6 +527,7 @@ impl Backup {
             to: names.join(" "),
         };
         store.within_commit(move |applier| {
+            items.iter().try_for_each(|item| applier.check_restore(&author, *item))?;
             restore(applier, &path, &sum, &author, &items)?;
             applier.log(&entry)?;
             applier.read_parameters()

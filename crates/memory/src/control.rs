@@ -6,10 +6,6 @@ use ferrocut_geometry::{Axis, Position};
 use ferrocut_machine::setup::VariableName;
 use ferrocut_machine::{Memory, ToolOffset, ToolTable, WorkOffset};
 use std::collections::BTreeSet;
-use std::ops::RangeInclusive;
-
-/// The variables that keep their values while power is off (GSK990MC 4.9.2, table 4-9-2-1).
-pub const KEPT_VARIABLES: RangeInclusive<u32> = 500..=999;
 
 /// The items that [`enter`] needs.
 pub const ENTERED: [Item; 5] =
@@ -47,7 +43,7 @@ pub fn enter(contents: &Contents, memory: &mut Memory) -> Vec<String> {
     for (name, value) in &contents.variables {
         let set = match name {
             // Typed by hand it was written down as all that is; with the power it goes.
-            VariableName::Number(number) if !KEPT_VARIABLES.contains(number) => Ok(()),
+            VariableName::Number(number) if !memory.keeps_variable(*number) => Ok(()),
             VariableName::Number(number) => memory.variables.set(*number, Some(*value)),
             VariableName::Named(name) => memory.variables.set_named(name, Some(*value)),
         };
@@ -68,8 +64,8 @@ fn in_order<'a>(
     first.chain(parameters.filter(move |(key, _)| !names_axis(key)))
 }
 
-/// The changes that make what is kept of `before` into what is kept of `after`. Variables are those of `kept`.
-pub fn changes(before: &Memory, after: &Memory, kept: RangeInclusive<u32>) -> Vec<Change> {
+/// The changes that make what is kept of `before` into what is kept of `after`.
+pub fn changes(before: &Memory, after: &Memory) -> Vec<Change> {
     let mut changes = Vec::new();
     let keys: BTreeSet<_> =
         before.parameters.given().chain(after.parameters.given()).map(|(key, _)| key).collect();
@@ -109,7 +105,7 @@ pub fn changes(before: &Memory, after: &Memory, kept: RangeInclusive<u32>) -> Ve
         .iter()
         .chain(after.variables.iter())
         .map(|(number, _)| number)
-        .filter(|number| kept.contains(number))
+        .filter(|number| after.keeps_variable(*number))
         .collect();
     for number in numbers {
         let value = after.variables.get(number);

@@ -432,7 +432,7 @@ fn the_memory_of_the_running_control_is_a_copy() {
     machine.variables.set(100, Some(1.0)).unwrap();
     machine.variables.set(500, Some(0.0)).unwrap();
     machine.reference_points[1] = Position::xyz(0.0, 0.0, 9.0);
-    let changes = control::changes(&empty, &machine, control::KEPT_VARIABLES);
+    let changes = control::changes(&empty, &machine);
     store.commit(&Author::Control, changes).unwrap();
     // Typed by a person, who is told in the log.
     let typed = Change::Variable { name: number(150), value: Some(3.0) };
@@ -440,7 +440,7 @@ fn the_memory_of_the_running_control_is_a_copy() {
     let kept = store.reader().contents(&control::ENTERED).unwrap();
     let mut again = Memory::new(CONTROL);
     assert_eq!(control::enter(&kept, &mut again), [""; 0]);
-    assert_eq!(control::changes(&machine, &again, control::KEPT_VARIABLES), []);
+    assert_eq!(control::changes(&machine, &again), []);
     // #100 to #199 are lost with the power.
     assert_eq!([100, 150, 500].map(|number| again.variables.get(number)), [None, None, Some(0.0)]);
     assert_eq!(again.work.standard[0], Position::xyz(7.0, 0.0, 0.0));

@@ -348,7 +348,7 @@ impl<S: Service> Connection<S> {
             match incoming.next() {
                 Ok(Some(line)) => {
                     let (answer, then) = self.answer(&line);
-                    if answer.is_some_and(|answer| out.try_send(line_of(&answer)).is_err()) {
+                    if answer.is_some_and(|answer| out.try_send(line_of_answer(&answer)).is_err()) {
                         break "too_slow";
                     }
                     if let Some(then) = then {
@@ -600,7 +600,7 @@ impl<S: Service> Joined<S> {
                 return;
             }
             let answer = self.may(&command).map_or_else(Err, |()| self.ask(command));
-            if self.out.try_send(line_of(&with_id(answer, id))).is_err() {
+            if self.out.try_send(line_of_answer(&with_id(answer, id))).is_err() {
                 self.is_slow.store(true, Ordering::Relaxed);
             }
         }
@@ -618,6 +618,18 @@ fn with_id(answer: Answer, id: Value) -> Value {
     Value::Object(fields)
 }
 
+/// An answer as a line; one that is longer than a line may be says so.
+fn line_of_answer(answer: &Value) -> Line {
+    let line = line_of(answer);
+    match line.len() <= LONGEST_LINE {
+        true => line,
+        false => {
+            let id = answer.get("id").cloned().unwrap_or(Value::Null);
+            line_of(&with_id(Err(error("too_large", &line.len().to_string())), id))
+        }
+    }
+}
+
 /// A reply, or what stands in its place.
 type Answer = Result<Value, Map<String, Value>>;
 
@@ -628,4 +640,20 @@ fn error(code: &str, detail: &str) -> Map<String, Value> {
         map.insert("detail".to_owned(), json!(detail));
     }
     map
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_answer_that_is_longer_than_a_line_says_so() {
+        let answer = |length: usize| {
+            let text = "x".repeat(length);
+            line_of_answer(&with_id(Ok(json!({ "reply": "program", "text": text })), json!(7)))
+        };
+        assert!(answer(1000).contains("xxx"));
+        let told: Value = serde_json::from_str(&answer(LONGEST_LINE)).unwrap();
+        assert_eq!((&told["error"], &told["id"]), (&json!("too_large"), &json!(7)));
+    }
 }

@@ -146,6 +146,11 @@ impl Service for Panel {
         self.control.prepare();
     }
 
+    fn end(&mut self) {
+        // Nobody is connected any more who could be told; what fails now is found at the next start.
+        let _ = self.control.flush();
+    }
+
     fn command(&mut self, command: Command, from: &Caller) -> Result<Reply, Refusal> {
         // Rights that were taken belong to the connection: its number, and so its name, comes but once.
         self.control.command(command, &from.author())

@@ -53,6 +53,9 @@ pub trait Owned: Send + 'static {
     /// Looks ahead, in the time that a period leaves.
     fn prepare(&mut self) {}
 
+    /// Called once, behind the last period.
+    fn end(&mut self) {}
+
     /// Whether something happened that should not wait for the next snapshot in turn.
     fn has_news(&self) -> bool;
 
@@ -310,6 +313,7 @@ impl<M: Owned> Owner<M> {
             self.machine.prepare();
             self.timing.ahead.add(began.elapsed());
         }
+        self.machine.end();
     }
 }
 
@@ -334,6 +338,34 @@ mod tests {
         fn snapshot(&mut self, taken: u64) -> (u64, u64) {
             (self.0, taken)
         }
+    }
+
+    /// Says that it has ended.
+    struct Ends(SyncSender<u32>, u32);
+
+    impl Owned for Ends {
+        type Command = ();
+        type Snapshot = ();
+        fn take(&mut self, (): ()) {}
+        fn tick(&mut self) {
+            self.1 += 1;
+        }
+        fn end(&mut self) {
+            self.0.send(self.1).unwrap();
+        }
+        fn has_news(&self) -> bool {
+            false
+        }
+        fn snapshot(&mut self, _: u64) {}
+    }
+
+    #[test]
+    fn the_machine_is_told_of_the_end_once_behind_the_last_period() {
+        let (to, told) = sync_channel(2);
+        let runner = Runner::start(Ends(to, 0), Duration::from_millis(1), None).unwrap();
+        std::thread::sleep(Duration::from_millis(20));
+        drop(runner);
+        assert!(told.recv().unwrap() > 0 && told.recv().is_err());
     }
 
     #[test]

@@ -42,6 +42,9 @@ pub trait Service: Send + 'static {
     /// Looks ahead, in the time that a period leaves.
     fn prepare(&mut self) {}
 
+    /// Called once, behind the last period.
+    fn end(&mut self) {}
+
     /// Does a command of a connection.
     fn command(&mut self, command: Self::Command, from: &Caller) -> Result<Self::Reply, Self::Refusal>;
 
@@ -168,6 +171,10 @@ impl<S: Service> Owned for Served<S> {
 
     fn prepare(&mut self) {
         self.service.prepare();
+    }
+
+    fn end(&mut self) {
+        self.service.end();
     }
 
     fn has_news(&self) -> bool {

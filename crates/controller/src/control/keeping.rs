@@ -8,7 +8,7 @@ use super::machine_data::Pitch;
 use super::settings::INPUT_UNIT;
 use super::status::Count;
 use super::taking_up::TakingUp;
-use super::{Control, alarm, exchange};
+use super::{Control, alarm, exchange, library};
 use crate::api::Event;
 use crate::cnc::Tick;
 use ferrocut_geometry::{Axis, AxisSet, Position};
@@ -16,7 +16,7 @@ use ferrocut_interpreter::Interpreter;
 use ferrocut_machine::{
     Alarm, Fault, Memory, MemoryChange, ParameterKey, Parameters, ToolOffset, WorkOffset,
 };
-use ferrocut_memory::control::{ENTERED, KEPT_VARIABLES, changes, enter};
+use ferrocut_memory::control::{ENTERED, changes, enter};
 use ferrocut_memory::{
     AlarmEntry, Author, Change, Counter, InterruptedRun, Item, LastPosition, Pending, PlcArea, SessionNote,
     SignalSize, Store,
@@ -179,7 +179,7 @@ impl Keeping {
             return;
         }
         self.writes = interpreter.writes();
-        let found = changes(&self.kept, interpreter.memory(), KEPT_VARIABLES);
+        let found = changes(&self.kept, interpreter.memory());
         if !found.is_empty() {
             self.kept = interpreter.memory().clone();
             self.pending.iter_mut().for_each(|asked| asked.written.extend_from_slice(&found));
@@ -353,7 +353,7 @@ impl Control {
         match restored.contains(&Item::Variables) {
             true => {
                 let volatile =
-                    present.variables.iter().filter(|(number, _)| !KEPT_VARIABLES.contains(number));
+                    present.variables.iter().filter(|(number, _)| !present.keeps_variable(*number));
                 for (number, value) in volatile {
                     // There was room for it.
                     let _ = memory.variables.set(number, Some(value));
@@ -361,8 +361,8 @@ impl Control {
             }
             false => memory.variables.clone_from(&present.variables),
         }
-        for (counter, value) in &contents.counters {
-            self.counters.set(*counter, *value);
+        for (counter, _) in Count::default().named() {
+            self.counters.set(counter, contents.counters.get(&counter).copied().unwrap_or(0.0));
         }
         *self.cnc.interpreter_mut().memory_mut() = memory.clone();
         self.cnc.interpreter_mut().parameters_changed();
@@ -399,6 +399,24 @@ impl Control {
     fn on_its_way<T>(&self, of: impl Fn(&Change) -> Option<T>) -> Option<T> {
         let pending = self.keeping.iter().flat_map(|keeping| &keeping.pending);
         pending.rev().find_map(|asked| asked.stand().rev().find_map(&of))
+    }
+
+    /// The text of a program as persons have asked for it.
+    pub(super) fn text_asked(&self, program: &str) -> Option<Vec<u8>> {
+        let asked = self.on_its_way(|change| match change {
+            Change::Program { name, text, .. } if name == program => Some(Some(text.clone())),
+            Change::RenameProgram { to, text, .. } if to == program => Some(Some(text.clone())),
+            Change::RenameProgram { name, .. } | Change::DeleteProgram { name } if name == program => {
+                Some(None)
+            }
+            _ => None,
+        });
+        asked.unwrap_or_else(|| self.callable.library().text(program))
+    }
+
+    /// The program that somebody calls so, as persons have asked for it, with its text.
+    pub(super) fn program_asked(&self, name: &str) -> Option<(String, Vec<u8>)> {
+        library::names_of(name).into_iter().find_map(|name| self.text_asked(&name).map(|text| (name, text)))
     }
 
     /// A tool offset as persons have asked for it.
@@ -552,6 +570,8 @@ impl Control {
         if self.loaded == super::Loaded::Auto(name.to_owned()) {
             self.loaded = super::Loaded::Nothing;
         }
+        // One that was called before is read anew too.
+        self.texts_changed = true;
         self.reading.forget(name, self.callable.changes_tools(name));
         self.taking_up.program_changed();
     }

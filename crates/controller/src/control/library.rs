@@ -52,14 +52,14 @@ impl Library {
         }
     }
 
-    /// The name under which there is such a program: `O12` finds `O0012`, small letters capital ones.
-    pub fn name_of(&self, id: &ProgramId) -> Option<String> {
-        names(id).into_iter().find(|name| self.has(name))
-    }
-
-    /// The same with its text.
+    /// The program that is called so, with its text: `O12` finds `O0012`, small letters capital ones.
     pub fn named(&self, id: &ProgramId) -> Option<(String, Vec<u8>)> {
         names(id).into_iter().find_map(|name| self.text(&name).map(|text| (name, text)))
+    }
+
+    /// The same for a name that somebody types: one that is written just so goes before.
+    pub fn typed(&self, name: &str) -> Option<(String, Vec<u8>)> {
+        names_of(name).into_iter().find_map(|name| self.text(&name).map(|text| (name, text)))
     }
 }
 
@@ -69,7 +69,23 @@ fn names(id: &ProgramId) -> Vec<String> {
         ProgramId::Number(number) => {
             vec![format!("O{number:04}"), format!("O{number:05}"), format!("O{number}")]
         }
-        ProgramId::Name(name) => vec![name.to_string(), name.to_uppercase()],
+        ProgramId::Name(name) => vec![name.to_uppercase(), name.to_string()],
+    }
+}
+
+/// The same for a name that somebody types.
+pub(super) fn names_of(name: &str) -> Vec<String> {
+    let name = name.trim();
+    let others = names(&id_of(name)).into_iter().filter(|other| other != name);
+    [name.to_owned()].into_iter().chain(others).collect()
+}
+
+/// The name under which a program is stored that somebody calls so: one under which it is found by whatever calls it.
+pub(super) fn name_to_store(name: &str) -> String {
+    let names = names(&id_of(name));
+    match names.iter().find(|other| *other == name.trim()).or(names.first()) {
+        Some(name) => name.clone(),
+        None => name.trim().to_owned(),
     }
 }
 

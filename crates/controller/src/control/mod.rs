@@ -100,6 +100,8 @@ pub struct Control {
     outputs: Outputs,
     mode: Mode,
     loaded: Loaded,
+    /// A program of the memory has another text since it was loaded.
+    texts_changed: bool,
     selected: Option<String>,
     /// The line where AUTO begins, from 1.
     cursor: u32,
@@ -280,6 +282,7 @@ impl Control {
             outputs: Outputs::default(),
             mode: Mode::default(),
             loaded: Loaded::Nothing,
+            texts_changed: false,
             selected: None,
             cursor: 1,
             followed: 0,
@@ -331,7 +334,7 @@ impl Control {
             events: VecDeque::with_capacity(MOST_EVENTS),
         };
         if let Some(alarm) = ladder_told {
-            control.tell_of(&alarm);
+            control.log_alarm(&alarm);
         }
         // 11#6 (2.6, 5).
         if control.machine.homing.limits_before

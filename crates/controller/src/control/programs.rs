@@ -90,12 +90,18 @@ impl Control {
 
     /// Gives the interpreter a program of the memory, unless it has it.
     pub(super) fn load_auto(&mut self, name: &str) -> Result<(), Box<Alarm>> {
-        if self.loaded != Loaded::Auto(name.to_owned()) {
+        if !self.has_loaded(name) {
             let prepared = self.program_to_load(name)?;
             self.load_prepared(*prepared, Source::Memory)?;
             self.loaded = Loaded::Auto(name.to_owned());
+            self.texts_changed = false;
         }
         Ok(())
+    }
+
+    /// Whether the interpreter has a program, and all that it may have called, as they stand in the memory.
+    pub(super) fn has_loaded(&self, name: &str) -> bool {
+        !self.texts_changed && self.loaded == Loaded::Auto(name.to_owned())
     }
 
     pub(super) fn begin_at(&mut self, line: Option<u32>) -> Result<(), Box<Alarm>> {
@@ -152,7 +158,7 @@ impl Control {
             return Err(Box::new(alarm(Fault::ControlMode).with("mode", super::name_of(self.mode))));
         }
         let missing = || alarm(Fault::NoSuchName).with("name", name);
-        let name = self.callable.library().name_of(&library::id_of(name)).ok_or_else(missing)?;
+        let (name, _) = self.callable.library().typed(name).ok_or_else(missing)?;
         self.forget_prepared();
         self.selected = Some(name.clone());
         self.cursor = 1;
@@ -198,7 +204,7 @@ impl Control {
     /// Why a program that was named stops behind no such sequence number: it is not there, or has none.
     pub(super) fn may_stop_at(&self, program: &str, sequence: u32) -> Result<(), Box<Alarm>> {
         let id = library::id_of(program);
-        let place = match self.callable.library().named(&id) {
+        let place = match self.callable.library().typed(program) {
             Some((_, text)) => line_of(&text, sequence),
             // One within the program that is chosen.
             None => {

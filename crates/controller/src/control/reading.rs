@@ -3,7 +3,7 @@
 //! periods that are still left of it.
 
 use super::callable::{Callable, Prepared};
-use super::{Control, Loaded, alarm};
+use super::{Control, alarm};
 use crate::signals::Mode;
 use ferrocut_machine::{Alarm, Fault};
 use ferrocut_program::{ProgramMemory, Text};
@@ -134,7 +134,7 @@ impl Control {
 
     /// Begins to read the text of a program, where periods must be short. Whether its text comes later.
     pub(super) fn read_ahead(&mut self, name: &str) -> bool {
-        if !self.cnc.works_beside() || self.loaded == Loaded::Auto(name.to_owned()) {
+        if !self.cnc.works_beside() || self.has_loaded(name) {
             return false;
         }
         if self.reading.wanted.as_ref().is_some_and(|(wanted, _)| wanted == name) {

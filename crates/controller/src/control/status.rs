@@ -12,7 +12,7 @@ use ferrocut_machine::{Fault, ParameterKey, g_code_name};
 use ferrocut_memory::Counter;
 
 /// P356: parts machined, and P357: parts to be machined (GSK990MC part 2, 3.1.2 note 4).
-pub(super) const PARTS_MACHINED: ParameterKey = ParameterKey::Data(356);
+const PARTS_MACHINED: ParameterKey = ParameterKey::Data(356);
 const PARTS_REQUIRED: ParameterKey = ParameterKey::Data(357);
 
 /// An hour and a day, s.
@@ -28,6 +28,11 @@ static SHOWN: [(ParameterKey, Counter, f64); 5] = [
     (ParameterKey::Data(359), Counter::PowerOnTime, DAY),
     (ParameterKey::Data(360), Counter::AllCuttingTime, HOUR),
 ];
+
+/// The counter that a parameter shows, and what one of it is of that.
+pub(super) fn counter_of(key: &ParameterKey) -> Option<(Counter, f64)> {
+    SHOWN.iter().find(|row| row.0 == *key).map(|(_, counter, unit)| (*counter, *unit))
+}
 
 /// What the parameters of [`SHOWN`] have, and the most that they can have; none that the control lacks.
 pub(super) type Shown = [Option<(f64, f64)>; 5];

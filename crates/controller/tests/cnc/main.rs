@@ -19,6 +19,7 @@ mod examples;
 mod feeds;
 mod homing;
 mod interruptions;
+mod kept;
 mod ladder;
 mod limits;
 mod machine_data;

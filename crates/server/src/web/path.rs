@@ -19,7 +19,7 @@ use axum::extract::{Query, Request, State};
 use axum::http::header::CONTENT_TYPE;
 use axum::response::{IntoResponse, Response};
 use axum::routing::get;
-use ferrocut_controller::control::{Desk, id_of};
+use ferrocut_controller::control::Desk;
 use ferrocut_geometry::{Axis, Position};
 use ferrocut_machine::{Alarm, Machine};
 use ferrocut_toolpath::{Dwell, Feed, Op, SpindleState, Step};
@@ -59,7 +59,7 @@ async fn of_program(
     let desk = desk(&shared).await?;
     let library = shared.library.clone();
     let found = work(move |wanted| {
-        let (_, text) = library.named(&id_of(&asked.program))?;
+        let (_, text) = library.typed(&asked.program)?;
         Some(draw(&desk, text, wanted))
     });
     let missing = || Problem::Missing;

@@ -16,7 +16,6 @@ use axum::response::{IntoResponse, Response};
 use axum::routing::get;
 use axum::{Json, Router};
 use ferrocut_controller::api::Command;
-use ferrocut_controller::control::id_of;
 use ferrocut_memory::is_program_name;
 use serde_json::{Value, json};
 use std::sync::Arc;
@@ -30,7 +29,7 @@ async fn download(State(shared): State<Arc<Shared>>, Path(name): Path<String>) -
         return Err(Problem::Missing);
     }
     let library = shared.library.clone();
-    let found = work(move |_| library.named(&id_of(&name))).await?;
+    let found = work(move |_| library.typed(&name)).await?;
     let (name, text) = found.ok_or(Problem::Missing)?;
     let mut response = Bytes::from(text).into_response();
     let head = response.headers_mut();

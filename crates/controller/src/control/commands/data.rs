@@ -1,13 +1,13 @@
 //! Offsets, zeros, variables, parameters, relative coordinates and the spindle speed.
 
-use super::super::status::PARTS_MACHINED;
+use super::super::status::counter_of;
 use super::super::{Control, Standing, alarm};
 use super::{Answer, MOST_VALUES, finite, named, within};
 use crate::api::{ByAxis, OffsetValues, RelativeTo, Reply};
 use ferrocut_geometry::{Axis, Position};
 use ferrocut_interpreter::Shown;
 use ferrocut_machine::{Alarm, Fault, ParameterKey, ToolOffset, WorkOffset};
-use ferrocut_memory::{Author, Change, Counter};
+use ferrocut_memory::{Author, Change};
 use std::collections::BTreeMap;
 use std::ops::RangeInclusive;
 
@@ -188,9 +188,9 @@ impl Control {
             parameters.check(&key, value).map_err(|error| error.alarm())?;
         }
         let mut changes = vec![Change::Parameter { key: key.clone(), value }];
-        if key == PARTS_MACHINED {
+        if let Some((counter, unit)) = counter_of(&key) {
             // The counter is what is kept of it.
-            changes.push(Change::Counter { counter: Counter::Parts, value: value.unwrap_or_default() });
+            changes.push(Change::Counter { counter, value: value.unwrap_or_default() * unit });
         }
         self.change_data_together(author, changes)
     }

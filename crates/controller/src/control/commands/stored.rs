@@ -7,6 +7,7 @@ use crate::signals::Mode;
 use ferrocut_machine::{Alarm, Fault};
 use ferrocut_memory::items::limits;
 use ferrocut_memory::{Author, Change, Level, is_program_name};
+use ferrocut_program::ProgramId;
 use std::sync::PoisonError;
 
 /// Longest text of MDI, bytes (10.1.1.2: 65 characters a block).
@@ -50,12 +51,12 @@ impl Control {
 
     /// The name of a program that there is.
     pub(super) fn known(&self, program: &str) -> Result<String, Box<Alarm>> {
-        let found = self.callable.library().name_of(&library::id_of(program));
+        let found = self.program_asked(program).map(|(name, _)| name);
         found.ok_or_else(|| Box::new(named(Fault::NoSuchName, program)))
     }
 
     pub(super) fn read(&self, program: &str) -> Answer {
-        let found = self.callable.named(&library::id_of(program));
+        let found = self.program_asked(program).or_else(|| self.callable.named(&library::id_of(program)));
         let (program, text) = found.ok_or_else(|| named(Fault::NoSuchName, program))?;
         let text = match ferrocut_program::Text::from_bytes(text.clone()) {
             Ok(decoded) => decoded.encoding().decode(&text).into_owned(),
@@ -68,11 +69,11 @@ impl Control {
     /// it is (7.11 note 3); any other may be written meanwhile.
     pub(super) fn store(&mut self, program: String, text: String, author: &Author) -> Answer {
         self.may_edit_programs(author)?;
-        let name = program.trim().to_owned();
+        let name = library::name_to_store(&program);
         if !is_program_name(&name) {
             return Err(Box::new(named(Fault::ValueImpossible, name)));
         }
-        let name = self.callable.library().name_of(&library::id_of(&name)).unwrap_or(name);
+        let name = self.known(&program).unwrap_or(name);
         if self.is_in_use(&name) {
             return Err(Box::new(named(Fault::ProgramInUse, name)));
         }
@@ -101,7 +102,18 @@ impl Control {
         self.may_edit_programs(author)?;
         let Reply::Programs { programs, .. } = self.programs()? else { return Ok(Reply::Done) };
         let level = author.level().map_or(0, Level::number);
-        let is_free = |program: &ProgramInfo| program.locked.is_none_or(|needed| level <= needed);
+        // 27#0, 27#4: closed to every person.
+        let is_person = matches!(author, Author::Person { .. });
+        let closed =
+            [(80_000, 27, 0), (90_000, 27, 4)].into_iter().filter(|row| is_person && self.bit(row.1, row.2));
+        let closed: Vec<u32> = closed.map(|(first, ..)| first).collect();
+        let is_closed = |program: &ProgramInfo| match library::id_of(&program.name) {
+            ProgramId::Number(number) => closed.contains(&(number / 10_000 * 10_000)),
+            ProgramId::Name(_) => false,
+        };
+        let is_free = |program: &ProgramInfo| {
+            program.locked.is_none_or(|needed| level <= needed) && !is_closed(program)
+        };
         let names: Vec<String> = programs.into_iter().filter(is_free).map(|program| program.name).collect();
         if names.is_empty() {
             return Ok(Reply::Done);
@@ -122,20 +134,15 @@ impl Control {
     pub(super) fn rename(&mut self, program: &str, to: &str, author: &Author) -> Answer {
         self.may_edit_programs(author)?;
         let name = self.known(program)?;
-        let to = to.trim().to_owned();
-        let taken = self
-            .callable
-            .library()
-            .name_of(&library::id_of(&to))
-            .is_some_and(|other| other != name || other == to);
+        let to = library::name_to_store(to);
+        let taken = self.known(&to).is_ok_and(|other| other != name || other == to);
         if !is_program_name(&to) || taken {
             return Err(Box::new(named(Fault::ValueImpossible, to)));
         }
         if self.is_in_use(&name) {
             return Err(Box::new(named(Fault::ProgramInUse, name)));
         }
-        let text =
-            self.callable.library().text(&name).ok_or_else(|| named(Fault::NoSuchName, name.as_str()))?;
+        let text = self.text_asked(&name).ok_or_else(|| named(Fault::NoSuchName, name.as_str()))?;
         let text = library::renumbered(&text, &name, &to).unwrap_or(text);
         if let library::Library::Held(programs) = self.callable.library() {
             let mut programs = programs.lock().unwrap_or_else(PoisonError::into_inner);

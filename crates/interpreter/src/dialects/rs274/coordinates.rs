@@ -20,7 +20,7 @@ pub(super) const SYSTEMS: u8 = 9;
 const FIXTURE: u8 = 9;
 
 /// The name of a coordinate system in the memory of the machine: 1 is G54, 7 is G59.1.
-pub(super) fn system_name(number: u8) -> WorkOffset {
+pub(crate) fn system_name(number: u8) -> WorkOffset {
     match number {
         1..=6 => WorkOffset::Standard(number),
         _ => WorkOffset::Additional(u16::from(number.saturating_sub(6))),
@@ -93,6 +93,11 @@ impl Interpreter {
             self.ngc_take_system(number);
         }
         Ok(())
+    }
+
+    /// The coordinate system in force.
+    pub(crate) fn ngc_system_name(&self) -> WorkOffset {
+        system_name(self.ngc.system)
     }
 
     /// Puts a coordinate system in force.

@@ -32,6 +32,7 @@ mod technology;
 mod threads;
 mod tools;
 
+pub(crate) use coordinates::system_name;
 pub(crate) use state::State;
 
 use crate::dialect::Dialect;
