@@ -475,6 +475,8 @@ pub struct Rules {
     /// Changes of units, data setting, skip moves and optional blocks are alarms while points are
     /// transformed.
     pub transforms_are_strict: bool,
+    /// A code of units stands in a block of its own; codes of other modal groups beside it have no unit and are let pass.
+    pub units_stand_alone: bool,
     /// Overshoot of one-way positioning by axis, mm, with the sign of the direction of arrival.
     pub one_way_overshoot: [f64; 5],
     /// Pause of one-way positioning, s.
@@ -571,6 +573,7 @@ impl Default for Rules {
             pole: PoleRule::Code,
             polar_is_strict: false,
             transforms_are_strict: false,
+            units_stand_alone: false,
             one_way_overshoot: [0.0; 5],
             one_way_dwell_s: 0.0,
             one_way_is_modal: false,
