@@ -455,6 +455,8 @@ pub struct Rules {
     pub tool_chooses_offsets: bool,
     /// The spindle stops with the program.
     pub end_stops_spindle: bool,
+    /// Machine position of X, Y, Z that the control takes the tool to after each program.
+    pub fixed_point: Option<[f64; 3]>,
     /// S beside the code of orientation is the angle, degrees; else it is the speed as ever.
     pub orients_to_speed_word: bool,
     /// Arcs about corners are fitted (G39).
@@ -564,6 +566,7 @@ impl Default for Rules {
             max_m_code: 9999.0,
             tool_chooses_offsets: false,
             end_stops_spindle: true,
+            fixed_point: None,
             orients_to_speed_word: false,
             corner_arc: false,
             scaling: ScalingRules::default(),

@@ -117,6 +117,7 @@ pub fn rules(parameters: &Parameters) -> Rules {
         max_tool: digits(p(206)),
         tool_chooses_offsets: false,
         end_stops_spindle: true,
+        fixed_point: None,
         orients_to_speed_word: false,
         max_speed_word: digits(p(205)),
         max_m_code: digits(p(204)),
