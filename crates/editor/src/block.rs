@@ -288,7 +288,7 @@ fn is_name(text: &str) -> bool {
 /// A value as it stands in a block.
 fn written(parameter: &Parameter, field: &Field, value: &Value) -> Result<String, Fault> {
     match (parameter.kind, value) {
-        (Kind::Length | Kind::Number, Value::Number(number)) => {
+        (Kind::Length | Kind::Number | Kind::NextTool, Value::Number(number)) => {
             let (least, most) = field.range;
             // The interpreter tells of what is whole; a form does so with the range at hand.
             let is_whole = !field.measure.is_whole() || number.fract() == 0.0;

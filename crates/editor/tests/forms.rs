@@ -38,6 +38,7 @@ fn every_parameter_of_the_interpreter_has_a_field_and_every_field_a_parameter() 
             Kind::Name => measure == "name",
             Kind::Point => measure == "point",
             Kind::Length => matches!(measure, "length" | "feed"),
+            Kind::NextTool => measure == "tool",
             Kind::Number => !matches!(measure, "length" | "choice" | "name" | "point"),
         };
         assert!(fits, "{of} {}: {measure}", parameter.name);

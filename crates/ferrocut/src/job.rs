@@ -408,6 +408,7 @@ impl Shop {
             block_skip: self.block_skip,
             optional_stop: self.optional_stop,
             skip: self.setup.signals.skip.as_ref().map(|signal| (signal.axis, signal.at)),
+            ends_at_fixed_point: true,
             machine_codes: MachineCodes::of(&self.machine.handshake.m_codes),
             ..Options::default()
         }

@@ -120,3 +120,20 @@ fn parameters_of_the_weihong_control_are_set_by_name() {
     let read = with_input(&["trace", "-", "--machine", &machine], "X#SAFEHEIGHT\nM30\n");
     assert_eq!(json_lines(&read.out)[0]["to"]["x"], 25, "{}", read.err);
 }
+
+#[test]
+fn a_machine_goes_to_the_fixed_point_and_a_trace_does_not() {
+    // Weihong 5, parameters 19 to 22: after each program the control takes the tool there.
+    let folder = TempDir::new().unwrap();
+    let setup = "[start]\nz = -20\n[parameters]\nENABLE_CTP = 1\n\"CTP_POS.X\" = 12\n\"CTP_POS.Z\" = -5\n";
+    let setup = write(&folder, "point.toml", setup);
+    let answer = |command: &str, more: &[&str]| {
+        let arguments = [&[command, "-", "--dialect", "weihong", "--setup", &setup], more].concat();
+        with_input(&arguments, "G00 X1\nM30\n").out
+    };
+    let trace = json_lines(&answer("trace", &[]));
+    assert_eq!(trace.len(), 2, "{trace:?}");
+    let run = json_lines(&answer("run", &["--format", "json"]));
+    let report = run.last().unwrap();
+    assert_eq!(report["rapid_mm"], 27.0, "{report}");
+}

@@ -456,6 +456,8 @@ pub struct Rules {
     pub tool_chooses_offsets: bool,
     /// The spindle stops with the program.
     pub end_stops_spindle: bool,
+    /// Machine position of X, Y, Z that the control takes the tool to after each program.
+    pub fixed_point: Option<[f64; 3]>,
     /// S beside the code of orientation is the angle, degrees; else it is the speed as ever.
     pub orients_to_speed_word: bool,
     /// Arcs about corners are fitted (G39).
@@ -476,6 +478,8 @@ pub struct Rules {
     /// Changes of units, data setting, skip moves and optional blocks are alarms while points are
     /// transformed.
     pub transforms_are_strict: bool,
+    /// A code of units stands in a block of its own; codes of other modal groups beside it have no unit and are let pass.
+    pub units_stand_alone: bool,
     /// Overshoot of one-way positioning by axis, mm, with the sign of the direction of arrival.
     pub one_way_overshoot: [f64; 5],
     /// Pause of one-way positioning, s.
@@ -563,6 +567,7 @@ impl Default for Rules {
             max_m_code: 9999.0,
             tool_chooses_offsets: false,
             end_stops_spindle: true,
+            fixed_point: None,
             orients_to_speed_word: false,
             corner_arc: false,
             scaling: ScalingRules::default(),
@@ -572,6 +577,7 @@ impl Default for Rules {
             pole: PoleRule::Code,
             polar_is_strict: false,
             transforms_are_strict: false,
+            units_stand_alone: false,
             one_way_overshoot: [0.0; 5],
             one_way_dwell_s: 0.0,
             one_way_is_modal: false,

@@ -173,7 +173,7 @@ impl Interpreter {
                     return Err(Box::new(alarm.with("word", format!("#{first} {second}"))));
                 };
                 let parameters = cycle.parts.iter().find(|(part, _)| *part == Part::Main).map(|(_, p)| *p);
-                let main = self.section(page, arguments, parameters.unwrap_or(&[]), span, span)?;
+                let main = self.section(page, arguments, parameters.unwrap_or(&[]), None, span, span)?;
                 self.begin_described(cycle, main, span)
             }
             Directive::Part(part) => {
@@ -182,8 +182,12 @@ impl Interpreter {
                     let alarm = self.alarm(Fault::DirectiveMisplaced, at);
                     return Err(Box::new(alarm.with("word", format!("#{first}"))));
                 };
-                let section = self.section(page, arguments, parameters, span, at)?;
-                self.add_part(part, section);
+                let shared = self.shared_with_part(part);
+                let section = self.section(page, arguments, parameters, shared, span, at)?;
+                if !self.add_part(part, section) {
+                    let alarm = self.alarm(Fault::RepeatedAddress, at);
+                    return Err(Box::new(alarm.with("parameter", shared.map_or("", |p| p.name))));
+                }
                 Ok(())
             }
             Directive::Figure => {
@@ -196,7 +200,7 @@ impl Interpreter {
                     let alarm = self.alarm(fault, at);
                     return Err(Box::new(alarm.with("word", format!("#{first} {second}"))));
                 };
-                let section = self.section(page, arguments, figure.parameters, span, at)?;
+                let section = self.section(page, arguments, figure.parameters, None, span, at)?;
                 self.add_figure(figure, section);
                 Ok(())
             }
@@ -235,13 +239,14 @@ impl Interpreter {
         Span { offset: page.offset + u64::from(range.at), len: range.len.max(1), ..span }
     }
 
-    /// Reads arguments as parameters. Their faults are told of the block at `at`, which is that of the cycle;
+    /// Reads arguments as parameters, of a list or `shared` with it. Their faults are told of the block at `at`, which is that of the cycle;
     /// where it is the arguments' own, of the argument.
     fn section(
         &mut self,
         page: &Page,
         arguments: &[Argument],
         parameters: &'static [Parameter],
+        shared: Option<&'static Parameter>,
         span: Span,
         at: Span,
     ) -> Fallible<Section> {
@@ -252,11 +257,11 @@ impl Interpreter {
             let fail = |interpreter: &Interpreter, fault| -> Box<Alarm> {
                 Box::new(interpreter.alarm(fault, place).with("parameter", name.clone()))
             };
-            let Some(parameter) = parameters.iter().find(|p| p.name == name) else {
+            let Some(parameter) = parameters.iter().chain(shared).find(|p| p.name == name) else {
                 return Err(fail(self, Fault::UnknownParameter));
             };
             let entry = match parameter.kind {
-                Kind::Length | Kind::Number => match self.argument_value(page, argument) {
+                Kind::Length | Kind::Number | Kind::NextTool => match self.argument_value(page, argument) {
                     Ok(Some(value)) if parameter.kind == Kind::Length => {
                         Entry::Number(units::length_mm(value, self.modal.is_inch()))
                     }

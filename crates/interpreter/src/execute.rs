@@ -506,6 +506,7 @@ impl Interpreter {
                     if self.is_strictly_transformed() {
                         return Err(self.alarm(Fault::UnitsInTransform, span));
                     }
+                    self.check_units_alone(span);
                     self.modal.set(row);
                 }
                 Group::Polar => {
@@ -672,6 +673,15 @@ impl Interpreter {
             && self.modal.meaning(Group::Motion) != Meaning::OneWay
             && self.block_moves(axes);
         if moves { Ok(()) } else { Err(self.alarm(Fault::CornerForm, span)) }
+    }
+
+    /// G20 and G21 stand in a block of their own (GSK990MC 4.2.17 note 6). The manual has no alarm for it, and its alarm 0165
+    /// names other codes; which unit words beside them have is not said.
+    fn check_units_alone(&mut self, span: Span) {
+        let stands_alone = !self.words.has_any(u32::MAX) && self.words.m.is_empty();
+        if self.rules.units_stand_alone && !stands_alone {
+            self.tell(Alarm::core(Fault::NeedsOwnBlock, span));
+        }
     }
 
     /// G10 stands alone but for the words of its form (GSK990MC 4.2.7 note 2).

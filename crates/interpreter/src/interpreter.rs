@@ -104,6 +104,9 @@ pub struct Options {
     pub open_end: bool,
     /// M99 of the main program ends it as M30 does: DNC (GSK990MC part 2, 11.1.4; part 1, 5.2.5).
     pub return_ends: bool,
+    /// The control takes the tool to its fixed point behind the end of a program, where its parameters say so. That is no move
+    /// of the program's own.
+    pub ends_at_fixed_point: bool,
     /// M codes that the machine has beside those of the language.
     pub machine_codes: MachineCodes,
 }

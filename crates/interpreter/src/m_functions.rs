@@ -3,10 +3,11 @@
 
 use crate::Fallible;
 use crate::custom::Custom;
-use crate::dialect::{MCode, MFunction};
+use crate::dialect::{MCode, MFunction, Meaning};
 use crate::execute::{Part, Rest};
 use crate::interpreter::Interpreter;
 use crate::words::Code;
+use ferrocut_geometry::Axis;
 use ferrocut_machine::Fault;
 use ferrocut_program::{ProgramId, Span};
 use ferrocut_toolpath::{Op, SpindleState};
@@ -101,12 +102,12 @@ impl Interpreter {
             MFunction::Return => {
                 let is_main = !self.go_back();
                 if is_main && self.options.return_ends {
-                    self.end_program(30);
+                    self.end_program(30)?;
                 } else if is_main && self.start_again(span)? {
-                    self.end_program(code.code);
+                    self.end_program(code.code)?;
                 }
             }
-            MFunction::ProgramEnd => self.end_program(code.code),
+            MFunction::ProgramEnd => self.end_program(code.code)?,
             MFunction::Message => self.message(),
             MFunction::Internal => self.internal_number(span)?,
             MFunction::ToolNumber => self.number_tool()?,
@@ -115,7 +116,7 @@ impl Interpreter {
             MFunction::End => {
                 // In a subprogram M02 and M30 are M99 (GSK990MC 3.2).
                 if !self.go_back() {
-                    self.end_program(code.code);
+                    self.end_program(code.code)?;
                 }
             }
         }
@@ -124,7 +125,10 @@ impl Interpreter {
 
     /// Spindle and coolant stop with the program (GSK990MC 5.2.1). A ladder that gets every code ends them by M02 and
     /// M30 themselves (DM02, DM30): no M05 and M09 that nobody wrote is to be finished before. M99 it does not get.
-    pub(crate) fn end_program(&mut self, code: u16) {
+    pub(crate) fn end_program(&mut self, code: u16) -> Fallible<()> {
+        if code != 99 {
+            self.go_to_fixed_point()?;
+        }
         if let Some(alarm) = self.unended_profile() {
             self.note(alarm);
         }
@@ -140,6 +144,26 @@ impl Interpreter {
         }
         self.emit(Op::End(code.into()));
         self.ended = true;
+        Ok(())
+    }
+
+    /// After each program that ends as it should the control takes the tool to its fixed point (Weihong 5, parameters 19 to
+    /// 22), as `G53 G00` does, at its own speed. The spindle still turns, since the tool may be in the part.
+    fn go_to_fixed_point(&mut self) -> Fallible<()> {
+        let Some(point) = self.rules.fixed_point.filter(|_| self.options.ends_at_fixed_point) else {
+            return Ok(());
+        };
+        let axes = [Axis::X, Axis::Y, Axis::Z];
+        self.check_referenced(Some(Meaning::MachinePosition), axes.into_iter().collect())?;
+        let mut to = self.location.machine;
+        for (axis, at) in axes.into_iter().zip(point) {
+            to[axis] = at;
+        }
+        self.output.suspend_cutter();
+        self.technology.rapid_feed = None;
+        self.rapid_machine(to)?;
+        self.location.take_machine();
+        Ok(())
     }
 
     /// M98 P L (GSK990MC 3.2.2).

@@ -301,6 +301,13 @@ fn the_next_tool_is_made_ready_in_the_cycle() {
     let pocket = "#CYCLE G288 [XC=0, YC=0, R=20, Z=0, ZS=5, P=4, next=3]\n\
                   #ROUGH [step=4, I=2, F=100, S=1000, T=1, D=1]\n#FINISH [delta=0.5, F=100, S=1000, T=2, D=1, N=1]\nM30";
     assert_eq!(chosen(pocket), ["select 1", "change 1", "select 2", "change 2", "select 3"]);
+    // 4.12: the dialogue asks for it with the finishing.
+    let with_finishing = pocket.replace(", next=3", "").replace("N=1", "N=1, next=3");
+    assert_eq!(chosen(&with_finishing), chosen(pocket));
+    let fault =
+        |program: &str| run_on(&DIALECT, program, tools).1.map(|alarm| (alarm.fault, alarm.span.line));
+    assert_eq!(fault(&pocket.replace("N=1", "N=1, next=3")), Some((Fault::RepeatedAddress, 1)));
+    assert_eq!(fault(&pocket.replace("I=2", "I=2, next=3")), Some((Fault::UnknownParameter, 1)));
 }
 
 /// 4.6.1: the spindle is oriented once, not at each of several points.

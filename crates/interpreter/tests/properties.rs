@@ -359,7 +359,9 @@ fn argument(parameter: &'static Parameter) -> BoxedStrategy<String> {
             prop_oneof![9 => Just("ZS=5".to_owned()), 1 => figure(name).prop_map(|v| format!("ZS={v}"))]
                 .boxed()
         }
-        (Kind::Length | Kind::Number, _) => figure(name).prop_map(move |v| format!("{name}={v}")).boxed(),
+        (Kind::Length | Kind::Number | Kind::NextTool, _) => {
+            figure(name).prop_map(move |v| format!("{name}={v}")).boxed()
+        }
         (Kind::Word(words), _) => {
             prop::sample::select(words).prop_map(move |w| format!("{name}={w}")).boxed()
         }

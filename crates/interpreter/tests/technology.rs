@@ -21,18 +21,20 @@ fn feed_is_held_within_its_limits_where_it_is_used() {
     );
 }
 
+/// What a check tells of a program that runs.
+fn told(program: &str, setup: &str) -> Vec<(AlarmId, String)> {
+    let options = Options { keep_going: true, ..Options::default() };
+    let alarms = common::interpreter(program.as_bytes(), setup, options).unwrap().filter_map(Result::err);
+    let said = alarms.map(|alarm| {
+        assert_eq!(alarm.severity, Severity::Warning, "{program}: {alarm:?}");
+        (alarm.id, common::at_fault(program, &alarm).to_owned())
+    });
+    said.collect()
+}
+
 #[test]
 fn a_speed_that_is_held_is_told() {
     // Part 2, 7.10: S beyond P258 turns at P258.
-    let told = |program: &str, setup: &str| {
-        let options = Options { keep_going: true, ..Options::default() };
-        let alarms = common::interpreter(program.as_bytes(), setup, options).unwrap().filter_map(Result::err);
-        let said = alarms.map(|alarm| {
-            assert_eq!(alarm.severity, Severity::Warning, "{program}: {alarm:?}");
-            (alarm.id, common::at_fault(program, &alarm).to_owned())
-        });
-        said.collect::<Vec<_>>()
-    };
     let too_fast = |word: &str| vec![(AlarmId::Dialect("gsk990mc", 182), word.to_owned())];
     assert_eq!(told("M3 S6000\nM30\n", ""), []);
     assert_eq!(told("M3 S6001\nM30\n", ""), too_fast("S6001"));
@@ -58,6 +60,18 @@ fn the_last_two_digits_of_a_gear_count() {
         holds_with(switched, &format!("M3 {word}\nM5"), &[&expected, "spindle off"]);
     }
     holds_with("", "M3 S1203\nM5", &["spindle cw 1203", "spindle off"]);
+}
+
+#[test]
+fn a_unit_beside_other_words_is_told() {
+    // 4.2.17 note 6: G20 and G21 have a block of their own. Modal codes beside them have no unit.
+    let beside = |word: &str| vec![(AlarmId::Core(Fault::NeedsOwnBlock), word.to_owned())];
+    for program in ["G21\nG0 X1", "N5 G20", "G21 G17 G40 G49 G80 G90 G94 G54"] {
+        assert_eq!(told(&format!("{program}\nM30\n"), ""), [], "{program}");
+    }
+    for program in ["G20 X1", "G20 G1 F5", "G0 G20 G43 H1", "G20 M8", "G20 S100"] {
+        assert_eq!(told(&format!("{program}\nM30\n"), ""), beside("G20"), "{program}");
+    }
 }
 
 #[test]
@@ -181,6 +195,8 @@ fn codes_beside_another_go_in_the_order_of_what_they_do() {
         ("G16 G18\nG15\nG16\nG15 G54 G0 X1", &["rapid X1"]),
         ("G68 X0 Y0 R90\nG69 G54 G0 X5", &["rapid X5"]),
         ("G68 X0 Y0 R90\nG69 G18\nG17 G0 X5", &["rapid X5"]),
+        // 4.2.15, 4 and alarm 0144 are of another plane; that in force is chosen again without harm.
+        ("G68 X0 Y0 R90\nG17 G0 X5", &["rapid Y5"]),
         // P belongs to the call, the dwell, the cycle.
         ("G54 G4 P500", &["dwell 0.5s"]),
         ("G54 M98 P2\nM30\nO2\nG0 X1\nM99", &["rapid X1"]),

@@ -4,8 +4,9 @@
 mod common;
 
 use common::{at_fault, interpreter_of, lines_on, run_on};
+use ferrocut_geometry::{Axis, Position};
 use ferrocut_interpreter::dialects::weihong::DIALECT;
-use ferrocut_interpreter::{Interpreter, Options};
+use ferrocut_interpreter::{Interpreter, Options, Unreferenced};
 use ferrocut_machine::{Catalogue, Fault, Language, Severity};
 use ferrocut_toolpath::{Op, PathMode};
 
@@ -786,6 +787,45 @@ fn offsets_come_with_the_tool() {
             ],
         ),
     ]);
+}
+
+/// 5, parameters 19 to 22: the control takes the tool to the fixed point, and no program does.
+#[test]
+fn the_tool_goes_to_the_fixed_point_after_each_program() {
+    let point = "[start]\nz = 5\n[parameters]\nENABLE_CTP = 1\n\"CTP_POS.X\" = 12\n\"CTP_POS.Y\" = -8\n\"CTP_POS.Z\" = 40\n";
+    let ended = |program: &str, setup: &str, homed: bool| {
+        let options = Options { ends_at_fixed_point: true, ..Options::default() };
+        let mut interpreter = interpreter_of(&DIALECT, program.as_bytes(), setup, options).unwrap();
+        if !homed {
+            let axes = [Axis::Z].into_iter().collect();
+            interpreter.set_unreferenced(Unreferenced { axes, ..Unreferenced::default() });
+        }
+        let start = Position::xyz(0.0, 0.0, 5.0);
+        let steps: Vec<_> = interpreter.collect();
+        let fault =
+            steps.iter().find_map(|step| step.as_ref().err()).map(|alarm| (alarm.fault, alarm.span.line));
+        let steps: Vec<_> = steps.into_iter().filter_map(Result::ok).collect();
+        (common::short(&steps, start), fault)
+    };
+    let way = ["rapid Z40", "rapid X12 Y-8", "end M30"];
+    for program in ["M30", "G91\nG70 M30", "G51 P2 X0 Y0 Z0\nM30", "G43 H1\nM30"] {
+        assert_eq!(ended(program, point, true), (way.map(String::from).to_vec(), None), "{program}");
+    }
+    // Not at the speed of the program's rapids, and with the spindle on.
+    let stops = format!("{point}AUTOSTOPSPINDLE = 1\n");
+    let (steps, _) = ended("S100 M3\nG00 Z50 F10\nM02", &stops, true);
+    let behind = ["rapid X12 Y-8", "rapid Z40", "spindle off", "end M02"];
+    assert_eq!(steps[steps.len() - 4..], behind, "{steps:?}");
+    // Neither where it is not asked for, nor after a program that did not end.
+    assert_eq!(ended("M30", "", true).0, ["end M30"]);
+    assert_eq!(ended("M30", &point.replace("ENABLE_CTP = 1", "ENABLE_CTP = 0"), true).0, ["end M30"]);
+    assert_eq!(
+        ended("X1\nG999\nM30", point, true),
+        (vec!["rapid X1".to_owned()], Some((Fault::UnknownGCode, 2)))
+    );
+    assert_eq!(lines_on(&DIALECT, "M30", point), ["end M30"]);
+    // It is a machine position.
+    assert_eq!(ended("M30", point, false), (vec![], Some((Fault::ReferenceNeeded, 1))));
 }
 
 /// What is not done is told by a check, and ends no run.

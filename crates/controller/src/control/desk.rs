@@ -92,6 +92,7 @@ impl Desk {
             optional_stop: true,
             keep_going,
             every_code: self.every_code,
+            ends_at_fixed_point: true,
             machine_codes: MachineCodes::of(&self.machine.handshake.m_codes),
             tool_change_program: changes_tools,
             ..Options::default()

@@ -233,6 +233,7 @@ impl Control {
             optional_stop: true,
             loops_forever: true,
             every_code,
+            ends_at_fixed_point: true,
             machine_codes,
             ..Options::default()
         };

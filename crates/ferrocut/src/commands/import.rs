@@ -9,6 +9,7 @@ use crate::outputs;
 use crate::view::{PathModel, render};
 use ferrocut_exchange::write::Ends;
 use ferrocut_exchange::{Change, Drawing, Format, Order, Settings, settings};
+use ferrocut_interpreter::Options;
 use ferrocut_machine::{Alarm, Argument, Fault};
 use ferrocut_program::Span;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
@@ -52,7 +53,7 @@ pub fn run(args: &ImportArgs) -> Result<Exit, Failure> {
     let job = shop.job_of(&args.file, (dialect, told), programs, Some(from))?;
     bar.suspend(|| job.tell(&shop));
     // The program is run through before it is given away.
-    let mut interpreter = job.interpreter(shop.options());
+    let mut interpreter = job.interpreter(Options { ends_at_fixed_point: false, ..shop.options() });
     let mut model = PathModel::new(shop.options().start);
     model.set_work_zero(interpreter.work_zero());
     let mut fault: Option<Box<Alarm>> = None;

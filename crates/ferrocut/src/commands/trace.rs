@@ -3,7 +3,7 @@
 use crate::cli::TraceArgs;
 use crate::job::{Exit, Failure, Shop};
 use crate::stdout;
-use ferrocut_interpreter::Interpreter;
+use ferrocut_interpreter::{Interpreter, Options};
 use ferrocut_machine::Alarm;
 use ferrocut_program::ProgramMemory;
 use ferrocut_toolpath::{Op, Step, TraceWriter};
@@ -24,7 +24,8 @@ pub fn run(args: &TraceArgs) -> Result<Exit, Failure> {
     let name = job.path.to_string_lossy().into_owned();
     job.tell(&shop);
     let notes: Vec<Step> = job.notes().map(|note| message(&shop, note, job.programs())).collect();
-    let mut interpreter = job.interpreter(shop.options());
+    // The steps that the program commands.
+    let mut interpreter = job.interpreter(Options { ends_at_fixed_point: false, ..shop.options() });
     let mut trace = TraceWriter::new(stdout::lock(), shop.options().start);
     trace.name_axes(shop.options().axis_names);
     trace.set_main(interpreter.main_file());

@@ -54,6 +54,8 @@ pub enum Kind {
     Length,
     /// An angle, a count, a speed, a time.
     Number,
+    /// The tool that is made ready for after the cycle. It may stand with the finishing too.
+    NextTool,
     /// One of these words.
     Word(&'static [&'static str]),
     /// A name.
@@ -98,6 +100,12 @@ impl Section {
         }
         self.entries.push((name, entry));
         true
+    }
+
+    /// Takes a value out.
+    fn take(&mut self, name: &str) -> Option<Entry> {
+        let at = self.entries.iter().position(|(n, _)| *n == name)?;
+        Some(self.entries.remove(at).1)
     }
 
     fn entry(&self, name: &str) -> Option<&Entry> {
@@ -309,12 +317,23 @@ impl Interpreter {
         row.filter(|_| !taken).map(|(_, parameters)| *parameters)
     }
 
-    /// Adds a part.
-    pub(crate) fn add_part(&mut self, part: Part, section: Section) {
-        if let Some(slot) = self.described.collected.as_mut().and_then(|c| c.sections.get_mut(part as usize))
-        {
+    /// The parameter of the cycle itself that stands in a part too: the dialogue asks for the next tool with the finishing
+    /// (Fagor 4.12).
+    pub(crate) fn shared_with_part(&self, part: Part) -> Option<&'static Parameter> {
+        let cycle = self.described.collected.as_ref()?.cycle;
+        let (_, main) = cycle.parts.iter().find(|(p, _)| *p == Part::Main)?;
+        main.iter().find(|p| part == Part::Finish && p.kind == Kind::NextTool)
+    }
+
+    /// Adds a part. What it shares with the cycle itself goes there; false where that has it already.
+    pub(crate) fn add_part(&mut self, part: Part, mut section: Section) -> bool {
+        let shared = self.shared_with_part(part).and_then(|p| Some((p.name, section.take(p.name)?)));
+        let Some(collected) = &mut self.described.collected else { return true };
+        let [main, parts @ ..] = &mut collected.sections;
+        if let Some(slot) = (part as usize).checked_sub(1).and_then(|at| parts.get_mut(at)) {
             *slot = Some(section);
         }
+        shared.is_none_or(|(name, entry)| main.get_or_insert_default().put(name, entry))
     }
 
     /// Whether the cycle being collected may be repeated on a figure, and is not yet.

@@ -117,6 +117,7 @@ pub fn rules(parameters: &Parameters) -> Rules {
         max_tool: digits(p(206)),
         tool_chooses_offsets: false,
         end_stops_spindle: true,
+        fixed_point: None,
         orients_to_speed_word: false,
         max_speed_word: digits(p(205)),
         max_m_code: digits(p(204)),
@@ -137,6 +138,8 @@ pub fn rules(parameters: &Parameters) -> Rules {
         // Alarms 0160 and 0161; 0216 to 0220.
         polar_is_strict: true,
         transforms_are_strict: true,
+        // 4.2.17 note 6.
+        units_stand_alone: true,
         one_way_overshoot: [p(335), p(336), p(337), p(338), p(339)],
         one_way_dwell_s: p(334),
         one_way_is_modal: parameters.bit(48, 0),

@@ -410,11 +410,11 @@ impl Interpreter {
         // What compensation holds back is done before, as it stands.
         self.output.flush().map_err(|(fault, _)| self.ngc_alarm(fault))?;
         match row.function {
-            MFunction::ProgramEnd => self.end_program(row.code),
+            MFunction::ProgramEnd => self.end_program(row.code)?,
             // In a main program M99 ends it (no loop at a desk).
             MFunction::Return => {
                 if !self.ngc_program_return() {
-                    self.end_program(row.code);
+                    self.end_program(row.code)?;
                 }
             }
             MFunction::OptionalStop if !self.options.optional_stop => {}

@@ -70,6 +70,8 @@ pub fn rules(parameters: &Parameters) -> Rules {
         tool_chooses_offsets: true,
         // 5, parameter 13.
         end_stops_spindle: p("AUTOSTOPSPINDLE") != 0.0,
+        // 19 to 22.
+        fixed_point: (p("ENABLE_CTP") != 0.0).then(|| ["CTP_POS.X", "CTP_POS.Y", "CTP_POS.Z"].map(p)),
         max_offset: 9_999_999.0,
         max_wear: 9_999_999.0,
         max_zero: 9_999_999.0,

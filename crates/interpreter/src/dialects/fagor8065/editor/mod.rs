@@ -87,8 +87,11 @@ const TOOL: [Parameter; 9] = [
 /// Direction of machining.
 const DIRECTION: [Parameter; 1] = [words("dir", SENSES)];
 
-/// Planes of 4.1.2, and the tool that is prepared (3.1).
-const PLANES: [Parameter; 4] = [length("Z"), length("ZS"), length("P"), number("next")];
+/// The tool that is prepared (3.1).
+const NEXT: Parameter = Parameter { name: "next", kind: Kind::NextTool };
+
+/// Planes of 4.1.2, and that tool.
+const PLANES: [Parameter; 4] = [length("Z"), length("ZS"), length("P"), NEXT];
 
 /// The point.
 const POINT: [Parameter; 2] = [length("X"), length("Y")];
