@@ -50,7 +50,7 @@ fn a_subprogram_runs_as_it_stands_when_the_program_begins() {
     shop.store("O1", "O1\nM98 P2\nM30\n");
     shop.store("O2", "O2\n#500=1\nM99\n");
     shop.select("O1");
-    let mut run = |shop: &mut Shop| {
+    let run = |shop: &mut Shop| {
         shop.mode(Mode::Auto);
         shop.start();
         (shop.until_it_stops().activity, variable(shop, 500), shop.told())
