@@ -478,6 +478,8 @@ impl Cnc {
             // One that is taken up has the spindle that its codes are about to turn.
             if !self.is_leading_in() {
                 self.finds_spindle();
+                // One that turns already is the program's from here on, with its M03 or without.
+                self.program_spindle = ProgramSpindle::taken_up(self.interpreter.words_in_force().spindle);
             }
         }
         self.forget_hold_behind_thread();

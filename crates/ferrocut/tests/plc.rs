@@ -152,3 +152,18 @@ fn a_diagram_becomes_a_list_that_runs_the_same() {
     assert_eq!((answer.code, answer.out.as_str()), (1, ""));
     assert!(answer.err.contains("gsk990mc:1012") && answer.err.contains(":4:"), "{}", answer.err);
 }
+
+/// What the help and docs/plc.md show does what it shows: a key of the panel and what comes of it.
+#[test]
+fn the_example_of_the_help_turns_the_coolant_on() {
+    let document = std::fs::read_to_string("../../docs/plc.md").unwrap();
+    let example = document.lines().find(|line| line.ends_with("KEY_COOLANT=1")).unwrap();
+    // The help breaks its lines.
+    let help = ferrocut(&["plc", "run", "--help"]).out;
+    assert!(help.split_whitespace().collect::<Vec<_>>().join(" ").contains(example), "{help}");
+    let words: Vec<&str> = example.split_whitespace().skip(1).collect();
+    let answer = ferrocut(&words);
+    assert_eq!((answer.code, answer.err.as_str()), (0, ""));
+    let turned = answer.out.lines().find(|line| line.ends_with(" COOLANT")).unwrap();
+    assert!(turned.contains("100 ms") && turned.contains(" on "), "{turned}");
+}

@@ -231,6 +231,30 @@ fn a_control_that_keeps_nothing_says_so() {
     }
 }
 
+/// Ended by a signal it leaves all that was entered, and a good state of it for who loses the file.
+#[test]
+fn a_control_that_is_ended_leaves_a_good_state() {
+    let folder = tempfile::tempdir().unwrap();
+    let memory = folder.path().join("memory");
+    let memory = memory.to_str().unwrap();
+    let served = Served::with(&["--tcp", "127.0.0.1:0", "--memory", memory]);
+    let mut front = Front::new(&served);
+    front.done(json!({ "do": "store", "program": "O0001", "text": "M30\n" }));
+    assert!(served.interrupt());
+    for file in std::fs::read_dir(memory).unwrap().flatten() {
+        if file.file_name().to_string_lossy().starts_with("memory.db") {
+            std::fs::remove_file(file.path()).unwrap();
+        }
+    }
+    let ferrocut = |args: &[&str]| {
+        let done = Command::cargo_bin("ferrocut").unwrap().args(args).output().unwrap();
+        assert!(done.status.success(), "{done:?}");
+        String::from_utf8(done.stdout).unwrap()
+    };
+    ferrocut(&["memory", "recover", memory]);
+    assert!(ferrocut(&["memory", "show", memory, "--item", "programs"]).contains("O0001"));
+}
+
 /// Without `--memory` rights are judged as with one (GSK990MC part 2, 3.4.5), and the histories last as long as the process.
 #[test]
 fn a_control_that_keeps_nothing_has_rights_and_histories() {

@@ -222,9 +222,13 @@ impl Control {
             _ => return Err(impossible()),
         };
         let least = if bits == 1 { 0 } else { -(1i64 << (bits - 1)) };
-        let fits = (least..1i64 << bits).contains(&value) && address.holds(bits.div_ceil(8));
-        let value =
-            u32::try_from(value & ((1i64 << bits) - 1)).ok().filter(|_| fits).ok_or_else(impossible)?;
+        let most = (1i64 << bits) - 1;
+        if !(least..=most).contains(&value) {
+            let alarm = named(Fault::ValueImpossible, signal);
+            return Err(Box::new(alarm.with("min", least as f64).with("max", most as f64)));
+        }
+        let fits = address.holds(bits.div_ceil(8));
+        let value = u32::try_from(value & most).ok().filter(|_| fits).ok_or_else(impossible)?;
         self.change_data(author, Change::Signal { area, first: address.byte, size, value })
     }
 

@@ -316,6 +316,42 @@ fn the_door_holds_the_program_and_locks_the_start() {
     assert_eq!(on(&mut mill, &["DOOR_LOCK"]), [""; 0]);
 }
 
+/// A spindle that turned before the program began is the program's too: it cuts with none that stands, or turns the other
+/// way.
+#[test]
+fn a_program_that_found_the_spindle_turning_does_not_go_on_without_it() {
+    for (turned_by, program) in [
+        ("M3 S500", "G90 G1 X-80 F300\nX-60\nM30\n"),
+        ("M3 S500", "M3 S500\nG90 G1 X-80 F300\nX-60\nM30\n"),
+        ("", "M3 S500\nG90 G1 X-80 F300\nX-60\nM30\n"),
+    ] {
+        for other_way in [false, true] {
+            let mut mill = Mill::power_on();
+            mill.home();
+            if !turned_by.is_empty() {
+                mill.mdi(turned_by);
+            }
+            mill.press("KEY_AUTO");
+            mill.say(Command::Store { program: "O0001".into(), text: program.to_owned() });
+            mill.say(Command::Select { program: "O1".into() });
+            mill.press("KEY_START");
+            mill.until("cutting", |status| status.feed.actual > 290.0);
+            ["KEY_HOLD", "KEY_JOG", "KEY_SP_STOP"].iter().for_each(|key| mill.press(key));
+            if other_way {
+                mill.press("KEY_SP_CCW");
+            }
+            mill.press("KEY_AUTO");
+            let held = mill.wait(1500);
+            assert_eq!(refused_start(&mut mill), ["FC-1417"], "{turned_by} {program} {other_way}");
+            assert_eq!(mill.wait(500).position.machine, held.position.machine);
+            for key in ["KEY_JOG", "KEY_SP_STOP", "KEY_SP_CW", "KEY_AUTO", "KEY_START"] {
+                mill.press(key);
+            }
+            mill.until("done", |status| status.activity == Activity::Idle);
+        }
+    }
+}
+
 /// 4.2: the keys reach the spindle by way of the ladder only, which lets it turn with door, drive and clamp in order.
 #[test]
 fn the_keys_of_the_spindle_turn_it_only_where_the_ladder_lets_it() {

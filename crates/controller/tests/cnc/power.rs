@@ -416,6 +416,8 @@ fn data_of_the_ladder_that_a_person_sets_survive_the_power_and_stand_in_the_log(
             let refusal = control.command(set(signal, value, bytes), &builder).unwrap_err();
             assert_eq!(refusal.alarm.id, id, "{signal} {value} {bytes:?}");
         }
+        let values = control.command(set("D5012", 256, None), &builder).unwrap_err().alarm.values;
+        assert_eq!((values["min"].to_string(), values["max"].to_string()), ("-128".into(), "255".into()));
         told(&mut control);
         for (signal, value, bytes) in [
             ("D5012", 0x1234, Some(2)),

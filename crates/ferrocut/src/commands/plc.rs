@@ -63,7 +63,7 @@ pub struct CheckArgs {
     of a watched signal is printed with its time; without --watch those are all bits of Y and G.\n\n\
     Exit status: 0 fine, 1 a fault of the ladder or its stop (1021), 2 wrong use.\n\n\
     Examples:\n  \
-    ferrocut plc run machines/standard.lad --set KEY_COOLANT=1 --set 100:KEY_COOLANT=0\n  \
+    ferrocut plc run machines/standard.lad --set X8.4=1 --set X1=255 --set F0.6=1 --set 100:KEY_COOLANT=1\n  \
     ferrocut plc run mill.lad --for 5000 --set 200:F10=3 --set 201:F7.0=1 --watch Y0.1,G4.3 --flow"
 )]
 pub struct RunArgs {

@@ -171,6 +171,7 @@ fn serve_control(args: &ServeArgs, shop: &Shop) -> Result<Exit, Failure> {
         say(&format!("tcp {at}"));
     }
     let told = signals::hear().map_err(cannot("signals"))?;
+    let kept = store.clone();
     // It serves for as long as it is there.
     let _web = if args.headless {
         None
@@ -181,11 +182,25 @@ fn serve_control(args: &ServeArgs, shop: &Shop) -> Result<Exit, Failure> {
     while runner.is_alive() {
         if told.load(Ordering::Relaxed) {
             forget_socket(args);
-            return Ok(Exit::Fine);
+            // The control ends first, and writes what it still has.
+            drop(runner);
+            return Ok(last_state(&kept, shop));
         }
         std::thread::sleep(Duration::from_millis(50));
     }
     Ok(Exit::Finding)
+}
+
+/// Leaves a good state of the memory. Connections that end later still have it, so that it does not end by itself before
+/// the process does.
+fn last_state(store: &Store, shop: &Shop) -> Exit {
+    match store.snapshot() {
+        Ok(_) => Exit::Fine,
+        Err(error) => {
+            shop.diagnostics.report(&error.alarm(), "", None);
+            Exit::Finding
+        }
+    }
 }
 
 /// Nobody can connect at the socket any more.

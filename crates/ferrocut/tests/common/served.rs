@@ -27,6 +27,12 @@ impl Served {
         let place = line.trim().rsplit(' ').next().unwrap().to_owned();
         Served { process, place }
     }
+
+    /// Ends it as Ctrl-C does; whether it ended well.
+    pub fn interrupt(mut self) -> bool {
+        let told = Command::new("kill").args(["-2", &self.process.id().to_string()]).status().unwrap();
+        told.success() && self.process.wait().unwrap().success()
+    }
 }
 
 impl Drop for Served {

@@ -155,7 +155,7 @@ impl Control {
     /// 7.4: the cursor is moved in EDIT, and then stays.
     pub(super) fn put_cursor(&mut self, line: u32) -> Answer {
         if line == 0 {
-            return Err(Box::new(named(Fault::ValueImpossible, "0")));
+            return Err(Box::new(named(Fault::ValueImpossible, "0").with("min", 1.0)));
         }
         if self.cnc.is_under_way() {
             return Err(Box::new(alarm(Fault::ControlBusy)));
