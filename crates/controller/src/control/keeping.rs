@@ -403,20 +403,17 @@ impl Control {
 
     /// The text of a program as persons have asked for it.
     pub(super) fn text_asked(&self, program: &str) -> Option<Vec<u8>> {
-        let asked = self.on_its_way(|change| match change {
-            Change::Program { name, text, .. } if name == program => Some(Some(text.clone())),
-            Change::RenameProgram { to, text, .. } if to == program => Some(Some(text.clone())),
-            Change::RenameProgram { name, .. } | Change::DeleteProgram { name } if name == program => {
-                Some(None)
-            }
-            _ => None,
-        });
+        let asked = self.on_its_way(|change| text_in(change, program).map(|text| text.map(<[u8]>::to_vec)));
         asked.unwrap_or_else(|| self.callable.library().text(program))
     }
 
-    /// The program that somebody calls so, as persons have asked for it, with its text.
-    pub(super) fn program_asked(&self, name: &str) -> Option<(String, Vec<u8>)> {
-        library::names_of(name).into_iter().find_map(|name| self.text_asked(&name).map(|text| (name, text)))
+    /// The name of the program that somebody means by this one, as persons have asked for it.
+    pub(super) fn name_asked(&self, typed: &str) -> Option<String> {
+        let is_there = |name: &String| {
+            let asked = self.on_its_way(|change| text_in(change, name).map(|text| text.is_some()));
+            asked.unwrap_or_else(|| self.callable.library().has(name))
+        };
+        library::names_of(typed).into_iter().find(is_there)
     }
 
     /// A tool offset as persons have asked for it.
@@ -577,8 +574,17 @@ impl Control {
     }
 }
 
-/// A change of what programs see of the memory.
-/// One of a parameter goes back to the one of `delivered`, be it that of the list or that of the machine file.
+/// The text that a change gives a program; none where it takes it away, and nothing where it is of another.
+fn text_in<'a>(change: &'a Change, program: &str) -> Option<Option<&'a [u8]>> {
+    match change {
+        Change::Program { name, text, .. } if name == program => Some(Some(text)),
+        Change::RenameProgram { to, text, .. } if to == program => Some(Some(text)),
+        Change::RenameProgram { name, .. } | Change::DeleteProgram { name } if name == program => Some(None),
+        _ => None,
+    }
+}
+
+/// A change of what programs see of the memory. One of a parameter goes back to the one of `delivered`, be it that of the list or that of the machine file.
 fn memory_change(change: &Change, delivered: &Parameters) -> Option<MemoryChange> {
     use ferrocut_machine::setup::VariableName;
     Some(match change {

@@ -57,7 +57,12 @@ impl Library {
         names(id).into_iter().find_map(|name| self.text(&name).map(|text| (name, text)))
     }
 
-    /// The same for a name that somebody types: one that is written just so goes before.
+    /// The name of the program that somebody means by this one: one that is written just so goes before.
+    pub(super) fn name_of(&self, typed: &str) -> Option<String> {
+        names_of(typed).into_iter().find(|name| self.has(name))
+    }
+
+    /// The same with its text.
     pub fn typed(&self, name: &str) -> Option<(String, Vec<u8>)> {
         names_of(name).into_iter().find_map(|name| self.text(&name).map(|text| (name, text)))
     }

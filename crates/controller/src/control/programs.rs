@@ -158,7 +158,7 @@ impl Control {
             return Err(Box::new(alarm(Fault::ControlMode).with("mode", super::name_of(self.mode))));
         }
         let missing = || alarm(Fault::NoSuchName).with("name", name);
-        let (name, _) = self.callable.library().typed(name).ok_or_else(missing)?;
+        let name = self.callable.library().name_of(name).ok_or_else(missing)?;
         self.forget_prepared();
         self.selected = Some(name.clone());
         self.cursor = 1;

@@ -128,8 +128,9 @@ fn an_svg_is_well_formed() {
     }
 }
 
-/// Coordinates of every size that a program can name, and some that none should.
-fn coordinate() -> impl Strategy<Value = f64> {
+/// Coordinates of every size that a program can name, and some that none should. On the heap: what nine of them are made of,
+/// in each of many operations, takes more than a thread's stack.
+fn coordinate() -> BoxedStrategy<f64> {
     prop_oneof![
         6 => -200.0..200.0f64,
         2 => (-4i32..4).prop_map(f64::from),
@@ -137,6 +138,7 @@ fn coordinate() -> impl Strategy<Value = f64> {
         1 => prop::sample::select(vec![0.0, 1e-300, 1e-9, 1e15, -1e20, f64::MAX, f64::MIN]),
         1 => prop::sample::select(vec![f64::NAN, f64::INFINITY, f64::NEG_INFINITY]),
     ]
+    .boxed()
 }
 
 fn op() -> impl Strategy<Value = Op> {

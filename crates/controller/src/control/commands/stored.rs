@@ -51,12 +51,13 @@ impl Control {
 
     /// The name of a program that there is.
     pub(super) fn known(&self, program: &str) -> Result<String, Box<Alarm>> {
-        let found = self.program_asked(program).map(|(name, _)| name);
+        let found = self.name_asked(program);
         found.ok_or_else(|| Box::new(named(Fault::NoSuchName, program)))
     }
 
     pub(super) fn read(&self, program: &str) -> Answer {
-        let found = self.program_asked(program).or_else(|| self.callable.named(&library::id_of(program)));
+        let asked = self.name_asked(program).and_then(|name| self.text_asked(&name).map(|text| (name, text)));
+        let found = asked.or_else(|| self.callable.named(&library::id_of(program)));
         let (program, text) = found.ok_or_else(|| named(Fault::NoSuchName, program))?;
         let text = match ferrocut_program::Text::from_bytes(text.clone()) {
             Ok(decoded) => decoded.encoding().decode(&text).into_owned(),
