@@ -143,7 +143,19 @@ impl Interpreter {
 
     /// Zeros were changed: the coordinates of the place where the axes stand change with them.
     pub fn zeros_changed(&mut self) {
-        self.work_zero_changed();
+        match self.dialect.blocks {
+            Some(_) => self.ngc_take_system(self.ngc.system),
+            None => self.work_zero_changed(),
+        }
+    }
+
+    /// Another memory was entered, or parts of one, while no program runs: what is in force is as that says.
+    pub fn memory_restored(&mut self) {
+        self.parameters_changed();
+        match self.dialect.blocks {
+            Some(_) => self.ngc_start(),
+            None => self.work_zero_changed(),
+        }
     }
 
     /// Counts up when the program changes what the machine remembers.

@@ -614,9 +614,9 @@ impl Parameters {
         Ok(())
     }
 
-    /// A parameter has the value that it is delivered with, and nobody has set it.
-    pub fn take_back(&mut self, key: &ParameterKey, delivered: f64) {
-        if self.set(key, delivered).is_ok() {
+    /// A parameter has this value, and nobody has set it: it is as delivered, or shows what the control counts.
+    pub fn take_back(&mut self, key: &ParameterKey, value: f64) {
+        if self.set(key, value).is_ok() {
             self.given.remove(key);
         }
     }

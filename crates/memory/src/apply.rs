@@ -172,7 +172,7 @@ impl Applier {
                 named(self.database.get(&PROGRAM, &[name.as_str().into()])?.is_some(), name)
             }
             Change::Parameter { key, value } => {
-                let value = value.unwrap_or_else(|| self.delivered.parameters.get(key));
+                let value = value.unwrap_or_else(|| self.delivered.parameter(key));
                 self.judge.parameters.check(key, value).map_err(Error::Parameter)
             }
             Change::Offset { number, offset } => {
@@ -390,7 +390,7 @@ impl Applier {
         key: &ParameterKey,
         value: Option<f64>,
     ) -> Result<(), Error> {
-        let delivered = self.delivered.parameters.get(key);
+        let delivered = self.delivered.parameter(key);
         let new = value.unwrap_or(delivered);
         // Who changed a parameter is always worth knowing.
         log.all = true;

@@ -175,7 +175,9 @@ impl Cnc {
             self.state = State::Alarmed(Box::new(alarm));
             return;
         }
-        let rpm = self.dry_tapping(pitch).map_or(thread.rpm, |rpm| rpm.min(of_gear.max_rpm));
+        // As fast as a program may ask for.
+        let most = of_gear.max_rpm.min(self.spindle_config.max_rpm).min(self.interpreter.max_spindle_rpm());
+        let rpm = self.dry_tapping(pitch).map_or(thread.rpm, |rpm| rpm.min(most));
         let thread = Thread { rpm, ..thread };
         let number = self.next_tag;
         self.next_tag += 1;

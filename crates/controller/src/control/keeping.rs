@@ -13,9 +13,7 @@ use crate::api::Event;
 use crate::cnc::Tick;
 use ferrocut_geometry::{Axis, AxisSet, Position};
 use ferrocut_interpreter::Interpreter;
-use ferrocut_machine::{
-    Alarm, Fault, Memory, MemoryChange, ParameterKey, Parameters, ToolOffset, WorkOffset,
-};
+use ferrocut_machine::{Alarm, Fault, Memory, MemoryChange, ParameterKey, ToolOffset, WorkOffset};
 use ferrocut_memory::control::{ENTERED, changes, enter};
 use ferrocut_memory::{
     AlarmEntry, Author, Change, Counter, InterruptedRun, Item, LastPosition, Pending, PlcArea, SessionNote,
@@ -164,7 +162,7 @@ impl Keeping {
     /// A parameter has this value, and it is kept elsewhere.
     pub fn has(&mut self, key: &ParameterKey, value: f64) {
         // The value is one that the control has taken.
-        let _ = self.kept.parameters.set(key, value);
+        self.kept.parameters.take_back(key, value);
     }
 
     /// Changes that nobody waits for.
@@ -365,8 +363,7 @@ impl Control {
             self.counters.set(counter, contents.counters.get(&counter).copied().unwrap_or(0.0));
         }
         *self.cnc.interpreter_mut().memory_mut() = memory.clone();
-        self.cnc.interpreter_mut().parameters_changed();
-        self.cnc.interpreter_mut().zeros_changed();
+        self.cnc.interpreter_mut().memory_restored();
         if let Some(keeping) = &mut self.keeping {
             keeping.kept = memory;
             keeping.counters = self.counters;
@@ -409,11 +406,19 @@ impl Control {
 
     /// The name of the program that somebody means by this one, as persons have asked for it.
     pub(super) fn name_asked(&self, typed: &str) -> Option<String> {
-        let is_there = |name: &String| {
-            let asked = self.on_its_way(|change| text_in(change, name).map(|text| text.is_some()));
-            asked.unwrap_or_else(|| self.callable.library().has(name))
-        };
-        library::names_of(typed).into_iter().find(is_there)
+        let asked = |name: &str| self.on_its_way(|change| text_in(change, name).map(|text| text.is_some()));
+        let is_there = |name: &String| asked(name).unwrap_or_else(|| self.callable.library().has(name));
+        let other = || self.callable.library().name_of(typed).filter(|name| asked(name) != Some(false));
+        library::names_of(typed).into_iter().find(is_there).or_else(other)
+    }
+
+    /// Whether a program is about to have another text, which is not on the disk yet.
+    pub(super) fn awaits_texts(&self) -> bool {
+        self.on_its_way(|change| match change {
+            Change::Program { .. } | Change::RenameProgram { .. } | Change::DeleteProgram { .. } => Some(()),
+            _ => None,
+        })
+        .is_some()
     }
 
     /// A tool offset as persons have asked for it.
@@ -477,7 +482,7 @@ impl Control {
 
     /// Whether no period may wait for the disk: axes move or are about to, or the drives need a setpoint in each, at rest
     /// too.
-    fn must_not_wait(&mut self) -> bool {
+    pub(super) fn must_not_wait(&mut self) -> bool {
         let is_busy = self.tick.moving || self.cnc.is_under_way() || self.cnc.is_reading();
         is_busy || self.cnc.drives().keeps_time()
     }
@@ -515,7 +520,7 @@ impl Control {
 
     /// Makes a change where the control has what it is of.
     fn make(&mut self, change: &Change) {
-        if let Some(change) = memory_change(change, &self.delivered.parameters) {
+        if let Some(change) = memory_change(change, &self.delivered) {
             self.cnc.change_memory(change);
         }
         if matches!(change, Change::Parameter { .. }) {
@@ -564,10 +569,7 @@ impl Control {
 
     /// What was loaded and kept of the text of a program is no longer so.
     fn text_changed(&mut self, name: &str) {
-        if self.loaded == super::Loaded::Auto(name.to_owned()) {
-            self.loaded = super::Loaded::Nothing;
-        }
-        // One that was called before is read anew too.
+        // One that it may have called is read anew too, before the next run.
         self.texts_changed = true;
         self.reading.forget(name, self.callable.changes_tools(name));
         self.taking_up.program_changed();
@@ -585,7 +587,7 @@ fn text_in<'a>(change: &'a Change, program: &str) -> Option<Option<&'a [u8]>> {
 }
 
 /// A change of what programs see of the memory. One of a parameter goes back to the one of `delivered`, be it that of the list or that of the machine file.
-fn memory_change(change: &Change, delivered: &Parameters) -> Option<MemoryChange> {
+fn memory_change(change: &Change, delivered: &Memory) -> Option<MemoryChange> {
     use ferrocut_machine::setup::VariableName;
     Some(match change {
         Change::Offset { number, offset } => MemoryChange::ToolOffset(*number, *offset),
@@ -598,8 +600,8 @@ fn memory_change(change: &Change, delivered: &Parameters) -> Option<MemoryChange
         }
         Change::Parameter { key, value: Some(value) } => MemoryChange::Parameter(key.clone(), *value),
         Change::Parameter { key, value: None } => {
-            let value = delivered.get(key);
-            match delivered.given().any(|(given, _)| given == key) {
+            let value = delivered.parameter(key);
+            match delivered.parameters.given().any(|(given, _)| given == key) {
                 true => MemoryChange::Parameter(key.clone(), value),
                 false => MemoryChange::AsDelivered(key.clone(), value),
             }

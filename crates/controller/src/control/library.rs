@@ -54,17 +54,36 @@ impl Library {
 
     /// The program that is called so, with its text: `O12` finds `O0012`, small letters capital ones.
     pub fn named(&self, id: &ProgramId) -> Option<(String, Vec<u8>)> {
-        names(id).into_iter().find_map(|name| self.text(&name).map(|text| (name, text)))
+        let name = names(id).into_iter().find(|name| self.has(name));
+        let name = name.or_else(|| self.spelled_otherwise(id))?;
+        self.text(&name).map(|text| (name, text))
     }
 
     /// The name of the program that somebody means by this one: one that is written just so goes before.
     pub(super) fn name_of(&self, typed: &str) -> Option<String> {
-        names_of(typed).into_iter().find(|name| self.has(name))
+        let found = names_of(typed).into_iter().find(|name| self.has(name));
+        found.or_else(|| self.spelled_otherwise(&id_of(typed)))
     }
 
     /// The same with its text.
     pub fn typed(&self, name: &str) -> Option<(String, Vec<u8>)> {
-        names_of(name).into_iter().find_map(|name| self.text(&name).map(|text| (name, text)))
+        let name = self.name_of(name)?;
+        self.text(&name).map(|text| (name, text))
+    }
+
+    /// The program with this name in other small and capital letters.
+    fn spelled_otherwise(&self, id: &ProgramId) -> Option<String> {
+        let is_it = |name: &String| id_of(name) == *id;
+        match (id, self) {
+            (ProgramId::Number(_), _) => None,
+            (_, Library::Held(programs)) => {
+                let programs = programs.lock().unwrap_or_else(PoisonError::into_inner);
+                programs.keys().find(|name| is_it(name)).cloned()
+            }
+            (_, Library::Kept(store)) => {
+                store.reader().programs().ok()?.into_iter().map(|entry| entry.name).find(is_it)
+            }
+        }
     }
 }
 
@@ -85,13 +104,12 @@ pub(super) fn names_of(name: &str) -> Vec<String> {
     [name.to_owned()].into_iter().chain(others).collect()
 }
 
-/// The name under which a program is stored that somebody calls so: one under which it is found by whatever calls it.
+/// The name under which a program is stored that somebody calls so: a number is written as one that is found.
 pub(super) fn name_to_store(name: &str) -> String {
-    let names = names(&id_of(name));
-    match names.iter().find(|other| *other == name.trim()).or(names.first()) {
-        Some(name) => name.clone(),
-        None => name.trim().to_owned(),
-    }
+    let (name, id) = (name.trim(), id_of(name));
+    let names = names(&id);
+    let is_found = matches!(id, ProgramId::Name(_)) || names.iter().any(|other| other == name);
+    names.into_iter().next().filter(|_| !is_found).unwrap_or_else(|| name.to_owned())
 }
 
 /// What a program is called by whoever types its name.

@@ -6,6 +6,7 @@ use crate::api::{Event, Reply};
 use crate::signals::Mode;
 use ferrocut_machine::{Alarm, Fault, ParameterKey};
 use ferrocut_memory::Author;
+use std::collections::BTreeSet;
 
 /// How the switch stands.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
@@ -70,11 +71,23 @@ impl Control {
     }
 
     /// The parameters that say nothing of the machine as they are, since nobody has set them.
-    pub(super) fn left_to_file(&mut self) -> &[ParameterKey] {
+    pub(super) fn left_to_file(&mut self) -> Vec<ParameterKey> {
+        let is_busy = self.must_not_wait();
         let interpreter = self.cnc.interpreter();
         let (dialect, now) = (interpreter.dialect(), &interpreter.memory().parameters);
-        let (machine, may_be) = (&self.machine, &self.may_be_left);
-        self.left_to_file.get_or_insert_with(|| dialect.left_to_file(machine, now, may_be.iter().cloned()))
+        let given: BTreeSet<&ParameterKey> = now.given().map(|(key, _)| key).collect();
+        let others = || self.may_be_left.iter().filter(|key| !given.contains(key)).cloned();
+        match &self.left_to_file {
+            Some(known) => known.clone(),
+            // To build so many machines takes longer than a period: where there is no time those of a group are left of
+            // which one was set.
+            None if is_busy => others().collect(),
+            None => {
+                let left = dialect.left_to_file(&self.machine, now, others());
+                self.left_to_file = Some(left.clone());
+                left
+            }
+        }
     }
 
     /// The warning that stands until the power is cut.

@@ -75,6 +75,10 @@ impl Control {
             return self.start_measuring().map(|()| false);
         }
         let name = self.selected.clone().ok_or_else(|| alarm(Fault::NothingToRun))?;
+        // None runs as it was before a change that somebody has asked for.
+        if self.awaits_texts() {
+            return Err(Box::new(alarm(Fault::ControlBusy)));
+        }
         if self.read_ahead(&name) {
             self.start_when_read();
             return Ok(true);
@@ -158,7 +162,7 @@ impl Control {
             return Err(Box::new(alarm(Fault::ControlMode).with("mode", super::name_of(self.mode))));
         }
         let missing = || alarm(Fault::NoSuchName).with("name", name);
-        let name = self.callable.library().name_of(name).ok_or_else(missing)?;
+        let name = self.name_asked(name).ok_or_else(missing)?;
         self.forget_prepared();
         self.selected = Some(name.clone());
         self.cursor = 1;

@@ -156,8 +156,8 @@ impl Control {
             };
             let most = of_table.max.unwrap_or(f64::MAX);
             let due = Control::due(&self.counters, row, most);
-            // Within its range.
-            let _ = self.cnc.interpreter_mut().memory_mut().parameters.set(key, due);
+            // Within its range; nobody has set it.
+            self.cnc.interpreter_mut().memory_mut().parameters.take_back(key, due);
             if let Some(keeping) = &mut self.keeping {
                 keeping.has(key, due);
             }

@@ -84,7 +84,7 @@ fn a_program_is_found_by_the_name_that_it_was_stored_under() {
     // O1 is O0001, however it is written.
     let Reply::Programs { programs, .. } = shop.say(Command::Programs) else { panic!() };
     let count = programs.len();
-    for name in ["O1", "O001", "O0001", "o00001", "1", "parta", "PARTA"] {
+    for name in ["O1", "O001", "O0001", "o00001", "1", "parta", "PARTA", "PartA"] {
         shop.store(name, &format!("({name})\nM30\n"));
         assert_eq!(text(&mut shop, name), format!("({name})\nM30\n"));
     }
@@ -193,4 +193,71 @@ fn what_is_closed_to_persons_is_closed_to_their_backups_and_left_by_delete_all()
     let Reply::Programs { programs, .. } = shop.say(Command::Programs) else { panic!() };
     assert_eq!(programs.len(), 1);
     assert_eq!(programs[0].name, "O80001");
+}
+
+#[test]
+fn a_zero_that_a_person_sets_on_rs274_is_the_one_that_programs_run_in() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut shop = shop(folder.path(), "rs274");
+    let set = |shop: &mut Shop, system: &str, x| {
+        let axes = [('X', x)].into();
+        shop.say(Command::SetZero { system: system.into(), axes, add: false });
+    };
+    set(&mut shop, "G54", 20.0);
+    mdi(&mut shop, "G54 G0 X0");
+    assert_eq!((shop.x(), shop.wait(1).position.work[&'X']), (20.0, 0.0));
+    mdi(&mut shop, "G55 G0 X3");
+    set(&mut shop, "G55", 5.0);
+    set(&mut shop, "G54", 30.0);
+    assert_eq!((shop.x(), shop.wait(1).position.work[&'X']), (3.0, -2.0));
+    mdi(&mut shop, "G0 X1");
+    assert_eq!((shop.x(), shop.wait(1).position.work[&'X']), (6.0, 1.0));
+    // What a backup puts back is in force at once, with the system and its turn.
+    let items = ["zeros", "variables"].map(str::to_owned).to_vec();
+    mdi(&mut shop, "G10 L2 P2 R90");
+    by_control(&mut shop, Command::Backup { file: "turned.backup".into(), items: items.clone() });
+    mdi(&mut shop, "G10 L2 P2 R0\nG92 X0\nG54");
+    by_control(&mut shop, Command::Restore { file: "turned.backup".into(), items });
+    assert_eq!(shop.wait(1).position.system.as_deref(), Some("G55"));
+    mdi(&mut shop, "G0 X0 Y0\nX7");
+    assert_eq!(shop.wait(1).position.machine[&'X'].round(), 5.0);
+    assert_eq!(shop.wait(1).position.machine[&'Y'].round(), 7.0);
+}
+
+#[test]
+fn a_program_on_its_way_to_the_disk_is_chosen_and_runs_once_it_is_there() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut shop = shop(folder.path(), "gsk990mc");
+    shop.store("O1", "#500=1\nM30\n");
+    shop.select("O1");
+    // Axes that move by hand must not wait for the disk.
+    shop.mode(Mode::Jog);
+    shop.inputs.jog[0].plus = true;
+    shop.wait(100);
+    shop.mode(Mode::Edit);
+    shop.store("O1", "#500=2\nM30\n");
+    shop.store("O7", "#500=7\nM30\n");
+    shop.say(Command::Select { program: "O7".into() });
+    shop.inputs.jog[0].plus = false;
+    shop.wait(500);
+    for (program, value) in [("O7", 7.0), ("O1", 2.0)] {
+        shop.select(program);
+        shop.start();
+        shop.until_it_stops();
+        assert_eq!(variable(&shop, 500), Some(value), "{:?}", shop.told());
+    }
+}
+
+#[test]
+fn counters_are_set_by_nobody_and_names_are_answered_as_they_were_asked() {
+    let mut shop = Shop::new(&[("P86", 3000.0)]);
+    let mut given = |names: &[&str]| {
+        let names = names.iter().map(|name| (*name).to_owned()).collect();
+        let Reply::Parameters { parameters, given, .. } = shop.say(Command::Parameters { names }) else {
+            panic!()
+        };
+        (parameters.len(), given)
+    };
+    assert_eq!(given(&["P0086", "P355", "P356"]), (3, vec!["P0086".to_owned()]));
+    assert_eq!(given(&[]).1, ["P86"]);
 }

@@ -1073,5 +1073,14 @@ fn what_is_set_to_zero_is_zero_behind_a_set_up_too() {
     drop(one);
     assert_eq!(states(&mut power_on(true)), set);
     // Without the set-up what was set holds all the same.
-    assert_eq!(states(&mut power_on(false)), set);
+    let mut without = power_on(false);
+    assert_eq!(states(&mut without), set);
+    drop(without);
+    // Taken back it is what the set-up says.
+    let mut with = power_on(true);
+    with.command(Command::SetParameter { name: "P15".into(), value: None }, &Author::Control).unwrap();
+    assert_eq!(states(&mut with).1, Position::xyz(1.0, 2.0, 3.0));
+    with.flush().unwrap();
+    drop(with);
+    assert_eq!(states(&mut power_on(true)).1, Position::xyz(1.0, 2.0, 3.0));
 }

@@ -377,4 +377,12 @@ fn dry_run_taps_faster_only_where_it_holds_for_tapping() {
             }
         }
     }
+    // No faster than the spindle may turn: 1000 r/min.
+    let mut slow = machine.clone();
+    slow.spindle.max_rpm = 1000.0;
+    let mut control = cnc(&slow, rigid);
+    control.set_dry_run(Some(DryRun { tapping: true, ..dry }));
+    let moments = run(&mut control, |_, _| {});
+    let turned = moments.windows(2).map(|w| (w[1].1 - w[0].1).abs()).fold(0.0, f64::max);
+    assert!((turned * 60_000.0 / machine.servo_period_ms - 1000.0).abs() < 1.0, "{turned}");
 }

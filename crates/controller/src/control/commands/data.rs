@@ -8,7 +8,7 @@ use ferrocut_geometry::{Axis, Position};
 use ferrocut_interpreter::Shown;
 use ferrocut_machine::{Alarm, Fault, ParameterKey, ToolOffset, WorkOffset};
 use ferrocut_memory::{Author, Change};
-use std::collections::BTreeMap;
+use std::collections::BTreeSet;
 use std::ops::RangeInclusive;
 
 impl Control {
@@ -154,26 +154,31 @@ impl Control {
     }
 
     pub(super) fn parameters(&mut self, names: &[String]) -> Answer {
-        let left = self.left_to_file().to_vec();
+        // Who asks for some wants their values, at any time.
+        let left: BTreeSet<ParameterKey> = match names.is_empty() {
+            true => self.left_to_file().into_iter().collect(),
+            false => BTreeSet::new(),
+        };
         let memory = self.cnc.interpreter().memory();
-        let mut parameters = BTreeMap::new();
+        let table = memory.parameters.table();
+        // By the names that they were asked for by.
+        let mut asked: Vec<(ParameterKey, String)> = Vec::new();
         if names.is_empty() {
-            let table = memory.parameters.table();
-            for (row, value) in memory.parameters.iter() {
-                parameters.insert(table.name(&row.key), value);
-            }
+            asked.extend(table.iter().map(|row| (row.key.clone(), table.name(&row.key))));
         }
         for name in names.iter().take(MOST_VALUES) {
             let key: ParameterKey = name.parse().map_err(|_| named(Fault::NoSuchName, name.as_str()))?;
-            if memory.parameters.table().get(&key).is_none() {
+            if table.get(&key).is_none() {
                 return Err(Box::new(named(Fault::NoSuchName, name.as_str())));
             }
-            parameters.insert(name.clone(), memory.parameter(&key));
+            asked.push((key, name.clone()));
         }
-        let table = memory.parameters.table();
-        let names = |key: &ParameterKey| Some(table.name(key)).filter(|name| parameters.contains_key(name));
-        let given = memory.parameters.given().filter_map(|(key, _)| names(key)).collect();
-        let left_to_file = left.iter().filter_map(names).collect();
+        let given: BTreeSet<&ParameterKey> = memory.parameters.given().map(|(key, _)| key).collect();
+        let of = |is: &dyn Fn(&ParameterKey) -> bool| -> Vec<String> {
+            asked.iter().filter(|(key, _)| is(key)).map(|(_, name)| name.clone()).collect()
+        };
+        let (given, left_to_file) = (of(&|key| given.contains(key)), of(&|key| left.contains(key)));
+        let parameters = asked.iter().map(|(key, name)| (name.clone(), memory.parameter(key))).collect();
         Ok(Reply::Parameters { parameters, given, left_to_file })
     }
 

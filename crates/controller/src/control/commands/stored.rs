@@ -104,7 +104,7 @@ impl Control {
         let Reply::Programs { programs, .. } = self.programs()? else { return Ok(Reply::Done) };
         let level = author.level().map_or(0, Level::number);
         // 27#0, 27#4: closed to every person.
-        let is_person = matches!(author, Author::Person { .. });
+        let is_person = matches!(author, Author::Person { .. }) && self.machine.dialect == "gsk990mc";
         let closed =
             [(80_000, 27, 0), (90_000, 27, 4)].into_iter().filter(|row| is_person && self.bit(row.1, row.2));
         let closed: Vec<u32> = closed.map(|(first, ..)| first).collect();

@@ -41,6 +41,7 @@ impl Interpreter {
         let variables = &self.memory.variables;
         let number = variables.get(SYSTEM).filter(|n| (1.0..=f64::from(SYSTEMS)).contains(n));
         let number = number.map_or(1, |n| n as u8);
+        self.ngc.shift = Position::ZERO;
         if variables.get(SHIFT_IN_FORCE) == Some(1.0) {
             for axis in Axis::ALL {
                 let value = variables.get(FIRST_SHIFT + axis.index() as u32);
