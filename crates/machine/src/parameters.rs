@@ -606,17 +606,23 @@ impl Parameters {
     /// Sets a parameter, in the unit of the list.
     pub fn set(&mut self, key: &ParameterKey, value: f64) -> Result<(), ParameterError> {
         self.check(key, value)?;
-        self.values.write(key, value);
-        if let Some(slot) = self.place_of(key).and_then(|place| self.values.named.get_mut(place)) {
-            *slot = value;
-        }
+        self.write(key, value);
         self.given.insert(key.clone(), value);
         Ok(())
     }
 
-    /// A parameter has this value, and nobody has set it: it is as delivered, or shows what the control counts.
+    fn write(&mut self, key: &ParameterKey, value: f64) {
+        self.values.write(key, value);
+        if let Some(slot) = self.place_of(key).and_then(|place| self.values.named.get_mut(place)) {
+            *slot = value;
+        }
+    }
+
+    /// A parameter has this value, and nobody has set it: it is as delivered, or shows what the control counts. Allocates
+    /// nothing, since that goes on in the period.
     pub fn take_back(&mut self, key: &ParameterKey, value: f64) {
-        if self.set(key, value).is_ok() {
+        if self.check(key, value).is_ok() {
+            self.write(key, value);
             self.given.remove(key);
         }
     }
