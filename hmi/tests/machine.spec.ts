@@ -317,7 +317,7 @@ test('an alarm of what was typed in MDI leads there', async ({ page }) => {
 
 test('a fault is underlined as it is typed, and gone when it is put right', async ({ page }) => {
   await enter(page);
-  await load(page, 'O1400', 'O1400\nG21 G90 G54 M3 S1000\nG1 X10. F300\nM30\n');
+  await load(page, 'O1400', 'O1400\nG21\nG90 G54 M3 S1000\nG1 X10. F300\nM30\n');
   await show(page, 'program/edit/O1400');
   const text = page.locator('.cm-content');
   await text.locator('.cm-line', { hasText: 'X10.' }).click();
@@ -326,7 +326,7 @@ test('a fault is underlined as it is typed, and gone when it is put right', asyn
   await page.keyboard.type('G1 X[1+2');
   await expect(page.locator('.cm-lintRange-error').first()).toBeVisible();
   await expect(page.getByTestId('findings').locator('.code')).not.toBeEmpty();
-  await expect(page.getByTestId('findings')).toContainText('4:');
+  await expect(page.getByTestId('findings')).toContainText('5:');
   await expect(notice(page)).toHaveCount(0);
   await shoot(page, 'edit', 'panel-edit');
   await page.keyboard.type(']');
