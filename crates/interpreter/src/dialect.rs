@@ -22,7 +22,6 @@ use ferrocut_machine::restart::RestartConfig;
 use ferrocut_machine::{AlarmId, Fault, Machine, ParameterKey, Parameters, WorkOffset};
 use ferrocut_program::{Block, Page, Syntax};
 use ferrocut_toolpath::CornerRule;
-use std::collections::BTreeSet;
 
 /// What a G code means, in terms common to all controls.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -798,10 +797,9 @@ impl Dialect {
         among: impl Iterator<Item = ParameterKey>,
     ) -> Vec<ParameterKey> {
         let built = self.built(machine, parameters);
-        let given: BTreeSet<&ParameterKey> = parameters.given().map(|(key, _)| key).collect();
         let is_left = |key: &ParameterKey| {
             let mut set = parameters.clone();
-            !given.contains(key)
+            !parameters.is_given(key)
                 && set.set(key, parameters.get(key)).is_ok()
                 && self.built(machine, &set) != built
         };

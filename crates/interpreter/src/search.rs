@@ -210,12 +210,8 @@ impl Interpreter {
 
     /// A memory that others changed takes the place of the interpreter's before its first block.
     pub fn set_memory(&mut self, memory: ferrocut_machine::Memory) {
-        self.rules = (self.dialect.rules)(&memory.parameters);
-        self.output.set_rules(self.rules.cutter);
         self.memory = memory;
-        self.work_zero_changed();
-        if self.dialect.blocks.is_some() {
-            self.ngc_take_system(self.ngc.system);
-        }
+        self.parameters_changed();
+        self.zeros_changed();
     }
 }

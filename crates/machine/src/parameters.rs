@@ -651,6 +651,11 @@ impl Parameters {
         self.table.iter().map(|definition| (definition, self.get(&definition.key)))
     }
 
+    /// Whether somebody has set it, be it to the value as delivered.
+    pub fn is_given(&self, key: &ParameterKey) -> bool {
+        self.given.contains_key(key)
+    }
+
     /// What somebody has set, be it to the value as delivered.
     pub fn given(&self) -> impl Iterator<Item = (&ParameterKey, f64)> {
         self.given.iter().map(|(key, value)| (key, *value))
@@ -761,6 +766,7 @@ mod tests {
         assert_eq!(given(&p), ["NO40.7=0", "P87=300", "P270=1.5"]);
         p.take_back(&key("P270"), 2.0);
         assert_eq!((p.data(270), given(&p)), (2.0, vec!["NO40.7=0".to_owned(), "P87=300".to_owned()]));
+        assert!(p.is_given(&key("P87")) && !p.is_given(&key("P270")));
     }
 
     #[test]

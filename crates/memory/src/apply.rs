@@ -111,10 +111,9 @@ impl Applier {
             return Ok(());
         }
         let forbidden = |number, bit| self.forbidden(number, bit);
-        let of_number = |name: &str| match program_number(name) {
-            Some(80_000..=89_999) => forbidden(27, 0),
-            Some(90_000..=99_999) => forbidden(27, 4),
-            _ => Ok(()),
+        let of_number = |name: &str| match rights::closing_bit(name) {
+            Some((number, bit)) => forbidden(number, bit),
+            None => Ok(()),
         };
         match change {
             Change::Program { name, .. }
@@ -680,12 +679,6 @@ fn ladder_shown(text: &str) -> String {
     let mut sum = FileSum::default();
     sum.add(text.as_bytes());
     format!("{} {:.12}", text.len(), sum.finish())
-}
-
-/// The number of a program that is named by one: `O80001`.
-fn program_number(name: &str) -> Option<u32> {
-    let digits = name.strip_prefix(['O', 'o']).unwrap_or(name);
-    digits.bytes().all(|b| b.is_ascii_digit()).then(|| digits.parse().ok()).flatten()
 }
 
 /// How a change goes into the log.

@@ -127,6 +127,17 @@ pub fn needed_to_restore(item: Item) -> Level {
 /// holds the work of the shop.
 pub const CARRIES_BACKUPS: Level = Level::Commissioning;
 
+/// The parameter bit, number and bit, that closes a program to persons of every level by the number that it is named by,
+/// such as `O80001` (GSK990MC 27#0, 27#4).
+pub fn closing_bit(program: &str) -> Option<(u16, u8)> {
+    let digits = program.strip_prefix(['O', 'o']).unwrap_or(program);
+    match digits.parse::<u32>().ok().filter(|_| digits.bytes().all(|b| b.is_ascii_digit()))? {
+        80_000..=89_999 => Some((27, 0)),
+        90_000..=99_999 => Some((27, 4)),
+        _ => None,
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

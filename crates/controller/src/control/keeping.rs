@@ -601,7 +601,7 @@ fn memory_change(change: &Change, delivered: &Memory) -> Option<MemoryChange> {
         Change::Parameter { key, value: Some(value) } => MemoryChange::Parameter(key.clone(), *value),
         Change::Parameter { key, value: None } => {
             let value = delivered.parameter(key);
-            match delivered.parameters.given().any(|(given, _)| given == key) {
+            match delivered.parameters.is_given(key) {
                 true => MemoryChange::Parameter(key.clone(), value),
                 false => MemoryChange::AsDelivered(key.clone(), value),
             }

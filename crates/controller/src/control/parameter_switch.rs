@@ -6,7 +6,6 @@ use crate::api::{Event, Reply};
 use crate::signals::Mode;
 use ferrocut_machine::{Alarm, Fault, ParameterKey};
 use ferrocut_memory::Author;
-use std::collections::BTreeSet;
 
 /// How the switch stands.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
@@ -75,8 +74,7 @@ impl Control {
         let is_busy = self.must_not_wait();
         let interpreter = self.cnc.interpreter();
         let (dialect, now) = (interpreter.dialect(), &interpreter.memory().parameters);
-        let given: BTreeSet<&ParameterKey> = now.given().map(|(key, _)| key).collect();
-        let others = || self.may_be_left.iter().filter(|key| !given.contains(key)).cloned();
+        let others = || self.may_be_left.iter().filter(|key| !now.is_given(key)).cloned();
         match &self.left_to_file {
             Some(known) => known.clone(),
             // To build so many machines takes longer than a period: where there is no time those of a group are left of

@@ -173,11 +173,11 @@ impl Control {
             }
             asked.push((key, name.clone()));
         }
-        let given: BTreeSet<&ParameterKey> = memory.parameters.given().map(|(key, _)| key).collect();
         let of = |is: &dyn Fn(&ParameterKey) -> bool| -> Vec<String> {
             asked.iter().filter(|(key, _)| is(key)).map(|(_, name)| name.clone()).collect()
         };
-        let (given, left_to_file) = (of(&|key| given.contains(key)), of(&|key| left.contains(key)));
+        let (given, left_to_file) =
+            (of(&|key| memory.parameters.is_given(key)), of(&|key| left.contains(key)));
         let parameters = asked.iter().map(|(key, name)| (name.clone(), memory.parameter(key))).collect();
         Ok(Reply::Parameters { parameters, given, left_to_file })
     }

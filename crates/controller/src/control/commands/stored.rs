@@ -6,8 +6,8 @@ use crate::api::{Event, ProgramInfo, Reply};
 use crate::signals::Mode;
 use ferrocut_machine::{Alarm, Fault};
 use ferrocut_memory::items::limits;
+use ferrocut_memory::rights::closing_bit;
 use ferrocut_memory::{Author, Change, Level, is_program_name};
-use ferrocut_program::ProgramId;
 use std::sync::PoisonError;
 
 /// Longest text of MDI, bytes (10.1.1.2: 65 characters a block).
@@ -105,12 +105,8 @@ impl Control {
         let level = author.level().map_or(0, Level::number);
         // 27#0, 27#4: closed to every person.
         let is_person = matches!(author, Author::Person { .. }) && self.machine.dialect == "gsk990mc";
-        let closed =
-            [(80_000, 27, 0), (90_000, 27, 4)].into_iter().filter(|row| is_person && self.bit(row.1, row.2));
-        let closed: Vec<u32> = closed.map(|(first, ..)| first).collect();
-        let is_closed = |program: &ProgramInfo| match library::id_of(&program.name) {
-            ProgramId::Number(number) => closed.contains(&(number / 10_000 * 10_000)),
-            ProgramId::Name(_) => false,
+        let is_closed = |program: &ProgramInfo| {
+            is_person && closing_bit(&program.name).is_some_and(|(number, bit)| self.bit(number, bit))
         };
         let is_free = |program: &ProgramInfo| {
             program.locked.is_none_or(|needed| level <= needed) && !is_closed(program)

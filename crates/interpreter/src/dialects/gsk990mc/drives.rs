@@ -153,10 +153,9 @@ fn tapping(parameters: &Parameters, gear: u16, spindle: &SpindleConfig) -> Tappi
 /// P242, P246 to P249, P262 and bits 1#2, 37#2, 37#3, 38#0, 38#5 (part 2, 4.2.4; part 1, 6.1 to 6.3). Where the machine
 /// file says how fast the gears are, those of P246 to P249 that nobody has set leave it.
 fn gears(parameters: &Parameters, gears: &mut GearConfig) {
-    let is_given = |number| parameters.given().any(|(key, _)| *key == ParameterKey::Data(number));
     let is_of_file = gears.max_rpm.iter().any(|rpm| *rpm > 0.0);
     for (number, max_rpm) in (246..).zip(&mut gears.max_rpm) {
-        if !is_of_file || is_given(number) {
+        if !is_of_file || parameters.is_given(&ParameterKey::Data(number)) {
             *max_rpm = parameters.data(number).max(0.0);
         }
     }
