@@ -36,9 +36,18 @@ pub(crate) const BAND: usize = 4;
 const ROUNDS: usize = 24;
 
 /// How much more a place weighs that is beyond its limit: by the square of how far, with a little added, to a power that grows by
-/// so much each round, and no more than this. A place that hardly gives way would take tens of rounds without.
-const CLOSER: f64 = 1.02;
-const HARDER: f64 = 0.1;
+/// so much each round, and no more than [`MOST_CLOSER`]. A place that hardly gives way would take tens of rounds without.
+///
+/// What weighs too much in the end bends the curve more than it has to: where much is slow it is brought closer by less at once,
+/// which takes more rounds.
+#[derive(Clone, Copy, Debug)]
+struct Pressure {
+    closer: f64,
+    harder: f64,
+}
+
+const PRESSURE: Pressure = Pressure { closer: 1.02, harder: 0.1 };
+const PRESSURE_WHERE_SLOW: Pressure = Pressure { closer: 1.01, harder: 0.05 };
 const MOST_CLOSER: f64 = 30.0;
 
 /// It is close enough where it is beyond the limit by no more than this, as a share of its square.
@@ -51,7 +60,7 @@ const SAME: f64 = 1e-7;
 const NOT_MOVED: f64 = 1e-5;
 
 /// `ℓ` is so many times what would spend both alike: the least of the squares still has more jerk in a turn than beside it.
-const STIFF: f64 = 1.15;
+const STIFF: f64 = 1.1;
 
 /// A span gets stiffer by its share of the mean jerk to this power, and stiffer and softer by no more than so many times: between
 /// two sharp corners there is much that takes little.
@@ -256,8 +265,10 @@ impl<const N: usize> Fit<N> {
     /// something changes.
     pub fn close(&mut self) {
         let mut spans = 0..self.strips.len();
+        let pressure = self.pressure();
         for round in 0..=ROUNDS {
-            let (pressed, most) = self.press(spans, 1.0 + HARDER * round as f64);
+            let power = 1.0 + pressure.harder * round as f64;
+            let (pressed, most) = self.press(spans, pressure.closer, power);
             if most <= CLOSE_ENOUGH || round == ROUNDS {
                 if round > 0 {
                     self.solve();
@@ -490,12 +501,16 @@ impl<const N: usize> Fit<N> {
 
     /// Weighs more where the spline is far from the lines.
     pub fn press_all(&mut self) {
-        self.press(0..self.strips.len(), 1.0);
+        self.press(0..self.strips.len(), self.pressure().closer, 1.0);
     }
 
-    /// Weighs more where one of these spans is far from the lines, by how far to this power: which are, and how far at most, as a
-    /// share of the square of the limit.
-    fn press(&mut self, spans: Range<usize>, power: f64) -> (Range<usize>, f64) {
+    fn pressure(&self) -> Pressure {
+        if self.is_much_slow() { PRESSURE_WHERE_SLOW } else { PRESSURE }
+    }
+
+    /// Weighs more where one of these spans is far from the lines, by how far and a little `closer`, to this power: which are, and
+    /// how far at most, as a share of the square of the limit.
+    fn press(&mut self, spans: Range<usize>, closer: f64, power: f64) -> (Range<usize>, f64) {
         let (mut most, mut first, mut behind) = (0.0_f64, usize::MAX, 0);
         for k in spans {
             let strip = &mut self.strips[k];
@@ -512,7 +527,7 @@ impl<const N: usize> Fit<N> {
                 (nearest, closest) = (larger(nearest, over), larger(closest, look.close));
                 if over > 1.0 {
                     // The power, to its second term.
-                    let beyond = over * CLOSER * CLOSER - 1.0;
+                    let beyond = over * closer * closer - 1.0;
                     let more = power * beyond * (1.0 + 0.5 * (power - 1.0) * beyond);
                     let more = look.weight * more.min(MOST_CLOSER - 1.0);
                     look.weight += more;

@@ -13,7 +13,7 @@ use crate::limits::Drive;
 use crate::quick::cube_root;
 
 /// Share of the jerk that is left to a ramp beside what a curve takes.
-const RAMP_SHARE: f64 = 0.4;
+const RAMP_SHARE: f64 = 0.5;
 
 /// Ramps begin with no less than this, mm/s.
 const LEAST: f64 = 1.0;

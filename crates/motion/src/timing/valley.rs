@@ -107,6 +107,8 @@ pub(crate) struct Valley {
     /// Where they begin.
     s: Vec<f64>,
     x: Vec<f64>,
+    /// The same of the plan before.
+    planned: Vec<f64>,
     /// How much more than it does a place is to count.
     more: Vec<f64>,
     rows: Rows,
@@ -130,6 +132,7 @@ impl Valley {
             h: Vec::with_capacity(STEPS + 2),
             s: Vec::with_capacity(STEPS + 2),
             x: Vec::with_capacity(STEPS + 2 + PAD),
+            planned: Vec::with_capacity(STEPS + 2 + PAD),
             more: Vec::with_capacity(STEPS + 2),
             rows: Rows::new(STEPS + 2),
             speeds: Speeds::new(STEPS + 2),
@@ -219,10 +222,17 @@ impl Valley {
         self.begin(range, from, to);
         self.bound(road, first);
         self.loosen();
+        self.planned.clone_from(&self.x);
         let planned = self.slacken();
         let mut little = A_LITTLE;
         for round in 0..ROUNDS {
-            let solution = self.solve(planned, if round == 0 { FIRST_GAP } else { NEXT_GAP });
+            let mut solution = self.solve(planned, if round == 0 { FIRST_GAP } else { NEXT_GAP });
+            // From a solution that the tightened bounds have left, the way to the next is not always found: from the plan it is.
+            if solution == Solution::None && round > 0 {
+                self.x.clone_from(&self.planned);
+                self.slacken();
+                solution = self.solve(planned, FIRST_GAP);
+            }
             if solution == Solution::Worthless {
                 return Outcome::Same;
             }
