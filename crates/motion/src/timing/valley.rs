@@ -64,7 +64,7 @@ const SHORTER: usize = 12;
 const TRIES: usize = 2;
 
 /// Pieces that there is room for.
-const WAY: usize = 4096;
+const WAY: usize = 8192;
 
 /// A step in time, s, and how far the path turns in it at most, rad.
 const TAU: f64 = 0.004;

@@ -18,7 +18,7 @@ use ferrocut_geometry::AXES;
 const AT_REST: usize = 3;
 
 /// Pieces that valleys may add to a section.
-const DEEPER: usize = 1024;
+const DEEPER: usize = 3072;
 
 /// Valleys are this much slower than the feed.
 const DEEP: f64 = 0.9;
