@@ -35,6 +35,9 @@ pub struct Ellipse {
 /// An ellipse whose half axes differ by no more than this is a circle, mm: a nanometre.
 const ROUND: f64 = 1e-6;
 
+/// Arcs of circles up to this radius are known to a hundredth of a micrometre, mm. Only what is cut of them has to be within reach.
+const LARGEST_CIRCLE: f64 = 1e8;
+
 /// The share of the tolerance that is given to the chords; the rest is left to the arcs.
 const CHORD_SHARE: f64 = 0.125;
 
@@ -49,10 +52,6 @@ impl Ellipse {
     pub fn curves(&self, tolerance: f64, limits: &mut Limits, out: &mut Vec<Curve>) -> Result<(), Refused> {
         let flat = |v: Vector| [v[0], v[1]];
         let (center, u, v) = (flat(self.center), flat(self.u), flat(self.v));
-        for radius in [u, v] {
-            limits.reach(radius)?;
-        }
-        limits.reach(center)?;
         let at = |t: f64| {
             let (sin, cos) = t.sin_cos();
             [center[0] + u[0] * cos + v[0] * sin, center[1] + u[1] * cos + v[1] * sin]
@@ -63,7 +62,7 @@ impl Ellipse {
         let difference = (squares - 2.0 * area.abs()).max(0.0).sqrt();
         let is_whole = (self.sweep.abs() - TAU).abs() < 1e-9;
         // Squares of large radii cancel to rounding errors of their own.
-        if difference <= ROUND.max(sum * 1e-7) && sum > 0.0 {
+        if difference <= ROUND.max(sum * 1e-7) && sum > 0.0 && sum <= 2.0 * LARGEST_CIRCLE {
             let sweep = if area < 0.0 { -self.sweep } else { self.sweep };
             let from = at(self.from);
             if is_whole {
@@ -74,6 +73,10 @@ impl Ellipse {
             }
             return Ok(());
         }
+        for radius in [u, v] {
+            limits.reach(radius)?;
+        }
+        limits.reach(center)?;
         let major = (sum + difference) / 2.0;
         let chord = tolerance * CHORD_SHARE;
         let step = (8.0 * chord / major.max(chord)).sqrt();

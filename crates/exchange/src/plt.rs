@@ -38,8 +38,10 @@ const MOST_VALUES: usize = 4;
 
 /// Reads a drawing.
 pub fn read(bytes: &[u8], file: FileId, settings: &Settings) -> Result<Drawing, Box<Alarm>> {
+    // A text in UTF-8 may begin with a mark that says so.
+    let begin = if bytes.starts_with(b"\xEF\xBB\xBF") { 3 } else { 0 };
     let mut reader = Reader {
-        text: Text { bytes, at: 0, line: 1, file },
+        text: Text { bytes, at: begin, line: 1, file },
         settings,
         limits: Limits::new(),
         unit: settings.scale / settings.units_per_mm,
@@ -49,6 +51,7 @@ pub fn read(bytes: &[u8], file: FileId, settings: &Settings) -> Result<Drawing, 
         at: [0.0; 2],
         z: None,
         is_down: false,
+        is_lifted: false,
         is_relative: false,
         label_end: LABEL_END,
         told: FxHashSet::default(),
@@ -73,6 +76,8 @@ struct Reader<'a> {
     at: Point,
     z: Option<f64>,
     is_down: bool,
+    /// In space it is above what it would have cut, had it not been left out.
+    is_lifted: bool,
     is_relative: bool,
     label_end: u8,
     told: FxHashSet<[u8; 2]>,
@@ -236,18 +241,35 @@ impl Reader<'_> {
         Ok(point)
     }
 
-    /// Moves on, cutting if the pen is down.
+    /// Moves on, cutting if the pen is down. What is not cut is passed over at the height of a raised pen, however deep the drawing
+    /// has it; from there the next cut begins straight down.
     fn go(&mut self, to: Point, z: Option<f64>, span: Span) -> Result<(), Box<Alarm>> {
-        if let Some(z) = z {
-            self.limits.reach([z, 0.0]).map_err(|refused| refused.at(span))?;
-            self.z = Some(z);
-        }
-        let action = match self.is_down && !self.is_left_out() {
-            true => Action::Cut(Curve::line(self.at, to)),
-            false => Action::Travel(to),
-        };
+        let from = self.at;
         self.at = to;
-        self.drawing.push(action, z, self.pen, span)
+        let Some(z) = z else {
+            let action = match self.is_down && !self.is_left_out() {
+                true => Action::Cut(Curve::line(from, to)),
+                false => Action::Travel(to),
+            };
+            return self.drawing.push(action, None, self.pen, span);
+        };
+        self.limits.reach([z, 0.0]).map_err(|refused| refused.at(span))?;
+        let before = self.z.replace(z);
+        if self.is_down && self.is_left_out() {
+            if !std::mem::replace(&mut self.is_lifted, true) {
+                self.drawing.push(Action::Raise, None, self.pen, span)?;
+            }
+            return self.drawing.push(Action::Travel(to), Some(self.settings.pen_up), self.pen, span);
+        }
+        let was_lifted = std::mem::replace(&mut self.is_lifted, false);
+        if !self.is_down {
+            return self.drawing.push(Action::Travel(to), Some(z), self.pen, span);
+        }
+        if let Some(before) = before.filter(|_| was_lifted) {
+            let down = Action::Cut(Curve::line(from, from));
+            self.drawing.push(down, Some(before), self.pen, span)?;
+        }
+        self.drawing.push(Action::Cut(Curve::line(from, to)), Some(z), self.pen, span)
     }
 
     /// Whether nothing is cut with this pen.
@@ -633,6 +655,35 @@ mod tests {
                 (Raise, None)
             ]
         );
+    }
+
+    #[test]
+    fn what_is_not_cut_in_space_is_passed_over_above_the_work() {
+        let left_out = crate::settings::Change { skip: true, ..Default::default() };
+        let settings =
+            Settings { three_dimensional: true, pens: vec![("2".into(), left_out)], ..Settings::default() };
+        let text = b"SP1;PU0,0,200;PD40,0,-40;SP2;PD80,0,-80,120,0,-80;SP1;PD160,0,-40;PU;";
+        let drawing = read(text, FileId(1), &settings).unwrap();
+        let found: Vec<_> = drawing.moves.iter().map(|m| (m.action, m.z)).collect();
+        assert_eq!(
+            found,
+            [
+                (Travel([0.0, 0.0]), Some(5.0)),
+                (Cut(Curve::line([0.0, 0.0], [1.0, 0.0])), Some(-1.0)),
+                (Raise, None),
+                (Travel([2.0, 0.0]), Some(5.0)),
+                (Travel([3.0, 0.0]), Some(5.0)),
+                (Cut(Curve::line([3.0, 0.0], [3.0, 0.0])), Some(-2.0)),
+                (Cut(Curve::line([3.0, 0.0], [4.0, 0.0])), Some(-1.0)),
+                (Raise, None)
+            ]
+        );
+    }
+
+    #[test]
+    fn a_mark_of_utf_8_may_stand_before_the_text() {
+        let text = b"\xEF\xBB\xBFIN;PU0,0;PD40,0;";
+        assert_eq!(read(text, FileId(1), &Settings::default()).unwrap().moves.len(), 4);
     }
 
     #[test]

@@ -296,3 +296,32 @@ fn very_flat_curves_keep_to_the_tolerance() {
         }
     }
 }
+
+/// A line with a hundredth of a millimetre of sag: the centre of its arc is 125 m away and is never written.
+#[test]
+fn an_arc_may_be_shallow() {
+    let shallow = drawing(&entities("0 LWPOLYLINE\n8 0\n90 2\n70 0\n10 0\n20 0\n42 0.0002\n10 100\n20 0\n"));
+    let chords = curves(&shallow);
+    assert!(chords.iter().all(|chord| chord.bend.is_none()), "{chords:?}");
+    let deepest = chords.iter().map(|chord| chord.to[1]).fold(0.0, f64::min);
+    assert!((-0.011..-0.005).contains(&deepest), "{deepest}");
+    near(chords.last().unwrap().to, [100.0, 0.0]);
+    // What is cut of it has to be within reach.
+    let far = drawing_of(&entities("0 CIRCLE\n8 0\n10 0\n20 -200000\n40 200000\n"), &Settings::default());
+    assert_eq!(far.unwrap_err().fault, Fault::DrawingTooFar);
+}
+
+#[test]
+fn a_spline_may_have_more_knots_than_16_bits_count() {
+    const POINTS: usize = 40_000;
+    let mut text = format!("0 SPLINE\n8 0\n70 8\n71 1\n72 {}\n73 {POINTS}\n74 0\n40 0\n", POINTS + 2);
+    for k in 0..POINTS {
+        text.push_str(&format!("40 {k}\n"));
+    }
+    text.push_str(&format!("40 {}\n", POINTS - 1));
+    for k in 0..POINTS {
+        text.push_str(&format!("10 {}\n20 {}\n30 0\n", k as f64 * 0.01, k % 2));
+    }
+    let drawing = drawing(&entities(&text));
+    near(curves(&drawing).last().unwrap().to, [(POINTS - 1) as f64 * 0.01, 1.0]);
+}

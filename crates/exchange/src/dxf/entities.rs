@@ -183,6 +183,10 @@ impl Sieve {
                     self.real(&pair)?;
                     height = (is_spline && matches!(code, 20 | 21)).then_some(code + 10);
                 }
+                // Counts say nothing that the points do not, and may be larger than the crate takes.
+                72..=74 if is_spline => {
+                    pair.whole()?;
+                }
                 code if WHOLES.contains(&code) => {
                     let whole = pair.whole()?;
                     let whole = i16::try_from(whole).map_err(|_| alarm(Fault::DxfValue, pair.span))?;
