@@ -150,13 +150,14 @@ impl Outline {
         tool.feed(self.start())
     }
 
-    /// Radius of a quarter circle that runs into the middle of the side in −v from inside.
+    /// Radius of a quarter circle that runs into the middle of the side in −v from inside: no more than half of the way to there, or
+    /// where it begins would lie on the contour itself.
     pub fn lead_inside(&self, wanted: f64) -> f64 {
         let [a, b] = self.half;
         let room = match self.corner {
             // The circle must clear the cut-off corners too.
-            Corner::Chamfer(c) => b.min((a - c) * (1.0 + std::f64::consts::SQRT_2)),
-            _ => b,
+            Corner::Chamfer(c) => (0.5 * b).min((a - c) * (1.0 + std::f64::consts::SQRT_2)),
+            _ => 0.5 * b,
         };
         wanted.min(room).max(0.0)
     }
