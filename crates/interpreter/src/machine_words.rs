@@ -125,6 +125,16 @@ impl Interpreter {
         Box::new(self.alarm(Fault::WordMissing, span).with("word", name))
     }
 
+    /// The LEVEL of an input or output: 0 or 1 (Weihong 4.4).
+    fn level(&self, span: Span) -> Fallible<Option<f64>> {
+        let level = self.words.long(long::LEVEL);
+        if level.is_some_and(|level| level != 0.0 && level != 1.0) {
+            let alarm = self.alarm(Fault::WordOutOfRange, span).with("word", "LEVEL");
+            return Err(Box::new(alarm.with("min", 0.0).with("max", 1.0)));
+        }
+        Ok(level)
+    }
+
     /// M901 PLC[..] LEVEL_, or in the older way H_ P_.
     pub(crate) fn set_output(&mut self, span: Span) -> Fallible<()> {
         // Neither is a word for the rest of the block.
@@ -133,8 +143,7 @@ impl Interpreter {
             return Err(self.missing("PLC", span));
         };
         let old_level = self.words.take(b'P');
-        let level = self.words.long(long::LEVEL).or(old_level);
-        let Some(value) = level else { return Err(self.missing("LEVEL", span)) };
+        let Some(value) = self.level(span)?.or(old_level) else { return Err(self.missing("LEVEL", span)) };
         if let Some(port) = number.and_then(whole_port) {
             self.outputs.insert(port, value);
         }
@@ -160,7 +169,7 @@ impl Interpreter {
     pub(crate) fn wait_for_input(&mut self, span: Span) -> Fallible<()> {
         self.emit_barrier()?;
         let Some((address, number)) = self.port(long::PLC) else { return Ok(()) };
-        let Some(value) = self.words.long(long::LEVEL) else { return Err(self.missing("LEVEL", span)) };
+        let Some(value) = self.level(span)? else { return Err(self.missing("LEVEL", span)) };
         let timeout = self.words.get(b'P').map(|p| p.max(0.0) * self.rules.dwell_p_unit_s);
         self.emit(Op::Wait {
             port: Port::Named(address.into()),

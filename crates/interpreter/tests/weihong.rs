@@ -605,6 +605,8 @@ fn programs_break_rules() {
         ("G81 R1 Z0 F9 K0\nG35 X1 I1 J0 K-2\nM30", "", Fault::WordOutOfRange, "K-2"),
         ("G81 R1 Z0 F9 K0\nG37 X1 I1 J1 K2\nM30", "", Fault::WordMissing, "G37"),
         ("G81 R1 Z0 F9 K0\nG34 X1 K10000\nM30", "", Fault::WordOutOfRange, "K10000"),
+        ("M901 PLC[04] LEVEL7\nM30", "", Fault::WordOutOfRange, "M901"),
+        ("G906 PLC[04] LEVEL2 P10\nM30", "", Fault::WordOutOfRange, "G906"),
         ("G51 Z0 P2\nG81 R1 Z0 F9\nM30", "", Fault::CycleScaled, "G81"),
         ("G51 X0 P0\nM30", "", Fault::ScaleFactor, "P0"),
         ("G51 X0 I100\nM30", "", Fault::ScaleFactor, "I100"),
