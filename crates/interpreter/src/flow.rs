@@ -47,6 +47,10 @@ const MAX_LOOKED_THROUGH: u64 = 1_000_000;
 /// Jumps back at a desk before a program is taken for endless: hours of a machine's work.
 const MAX_JUMPS_BACK: u64 = 50_000_000;
 
+/// The same behind a fault, where further findings are looked for: what would end a loop may be what is at fault.
+const IDLE_BLOCKS_BEHIND_FAULT: u64 = 1_000_000;
+const MAX_JUMPS_BACK_BEHIND_FAULT: u64 = 10_000;
+
 /// Loops and conditions open at once.
 const MAX_OPEN: usize = 10_000;
 
@@ -84,6 +88,8 @@ pub(crate) struct Flow {
     /// A further pass of the main program comes to its end, or is looked through for it.
     ends_later: bool,
     jumps_back: u64,
+    /// How many there had been at the first fault behind which the program is looked through further.
+    jumps_at_fault: Option<u64>,
     /// Where a jump from a block to a sequence number leads.
     targets: FxHashMap<(Place, u32), Place>,
     /// The loops of a program, by its first block.
@@ -134,9 +140,15 @@ impl Flow {
             passes: 0,
             ends_later: false,
             jumps_back: 0,
+            jumps_at_fault: None,
             targets: FxHashMap::default(),
             loops: FxHashMap::default(),
         }
+    }
+
+    /// The program is at fault here and is looked through further.
+    pub(crate) fn goes_on_behind_fault(&mut self) {
+        self.jumps_at_fault.get_or_insert(self.jumps_back);
     }
 
     pub(crate) fn jump(&mut self, to: Place) {
@@ -487,6 +499,13 @@ impl Interpreter {
         self.starved = false;
         if let Some(suspended) = self.flow.resumed.take() {
             return self.resume(*suspended);
+        }
+        if let Some(jumps) = self.flow.jumps_at_fault
+            && (self.flow.idle > IDLE_BLOCKS_BEHIND_FAULT
+                || self.flow.jumps_back > jumps + MAX_JUMPS_BACK_BEHIND_FAULT)
+        {
+            self.ended = true;
+            return Ok(());
         }
         let endless = self.flow.jumps_back > MAX_JUMPS_BACK && !self.options.loops_forever;
         if self.flow.idle > IDLE_BLOCKS || endless {

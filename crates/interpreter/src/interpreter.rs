@@ -702,7 +702,10 @@ impl Interpreter {
                 return Some(Ok(step));
             }
             if let Some(alarm) = self.alarms.pop_front() {
-                if !self.options.keep_going && alarm.severity == Severity::Error {
+                let is_error = alarm.severity == Severity::Error;
+                if is_error && self.options.keep_going {
+                    self.flow.goes_on_behind_fault();
+                } else if is_error {
                     self.ended = true;
                     self.alarms.clear();
                     // What was read up to here is done once the machine comes to it. Not so where a stage that looks ahead

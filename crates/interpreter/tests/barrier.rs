@@ -120,3 +120,22 @@ fn a_loop_that_waits_for_an_input_for_ever_is_found_out() {
     let alarm = interpreter.find_map(Result::err).unwrap();
     assert_eq!(alarm.fault, Fault::EndlessProgram);
 }
+
+/// What would end the loop is at fault itself: the findings come all the same, and soon.
+#[test]
+fn a_loop_with_a_fault_in_it_is_not_looked_through_for_ever() {
+    for program in
+        ["#1=0\nWHILE[#1 LT 5]DO1\nG0 X1\nX2\n#1=#1+1]\nEND1\nM30\n", "N1 G1 X1 F100\n#1=SQRT[-1]\nGOTO 1\n"]
+    {
+        let options = Options { keep_going: true, ..Options::default() };
+        let interpreter = common::interpreter(program.as_bytes(), "", options).unwrap();
+        let (mut steps, mut faults) = (0, 0);
+        for next in interpreter {
+            match next {
+                Ok(_) => steps += 1,
+                Err(_) => faults += 1,
+            }
+        }
+        assert!(faults > 0 && steps < 100_000, "{program}: {steps} steps, {faults} faults");
+    }
+}
