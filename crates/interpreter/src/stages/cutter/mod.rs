@@ -53,6 +53,10 @@ const SHORT_START_UP_MM: f64 = 1e-6;
 /// Moves shorter than this are not inserted, mm.
 const NO_MOVE_MM: f64 = 1e-9;
 
+/// Half of the least increment, mm (GSK990MC 1.2): what moves by less says where the tool stands already, not in which direction it
+/// goes. Such steps come from expressions, and from ends rounded to three digits that a rotation brings back to almost one point.
+const LEAST_MOVE_MM: f64 = 0.0005;
+
 /// At most so much waits between two moves, blocks that do not count as idle included.
 const WAITING_LIMIT: usize = 256;
 
@@ -230,6 +234,8 @@ pub struct Compensator<T> {
     older: Option<Pending<T>>,
     newer: Option<Pending<T>>,
     waiting: VecDeque<Waiting<T>>,
+    /// Where the path stood before moves that were too short to have a direction.
+    begun: Option<Point>,
     tool: Point,
 }
 
@@ -246,6 +252,7 @@ impl<T: Clone> Compensator<T> {
             older: None,
             newer: None,
             waiting,
+            begun: None,
             tool: [0.0; 2],
         }
     }
@@ -293,7 +300,7 @@ impl<T: Clone> Compensator<T> {
     }
 
     fn drop_queue(&mut self) {
-        (self.older, self.newer) = (None, None);
+        (self.older, self.newer, self.begun) = (None, None, None);
         self.waiting.clear();
     }
 
@@ -302,12 +309,20 @@ impl<T: Clone> Compensator<T> {
     /// # Errors
     /// Every [`Fault`] of the geometry. What waited is dropped then, and the next move starts up anew: good for
     /// looking for further findings, not for cutting.
-    pub fn push(&mut self, m: PlaneMove, payload: T, out: &mut impl FnMut(Out<T>)) -> Done<T> {
+    pub fn push(&mut self, mut m: PlaneMove, payload: T, out: &mut impl FnMut(Out<T>)) -> Done<T> {
         if !offset::is_finite(&m) || self.offset.is_some_and(|o| !o.radius.is_finite()) {
             return Err(at(Fault::NotFinite, payload));
         }
         if offset::is_zero(&m) {
             return self.push_zero(m, payload, out);
+        }
+        let begun = self.begun.take();
+        if self.newer.is_some() && self.offset.is_some() && !self.suspended {
+            m.from = begun.unwrap_or(m.from);
+            if offset::is_within(&m, LEAST_MOVE_MM) {
+                self.begun = Some(m.from);
+                return self.pass(payload, false, out);
+            }
         }
         let offset = if self.suspended { None } else { self.offset };
         self.suspended = false;

@@ -43,11 +43,17 @@ pub(super) struct Element {
 
 /// Whether a block moves in the plane at all.
 pub(super) fn is_zero(m: &PlaneMove) -> bool {
+    is_within(m, SAME_POINT_MM)
+}
+
+/// Whether a block moves by no more than `least`, mm.
+pub(super) fn is_within(m: &PlaneMove, least: f64) -> bool {
+    let is_near = distance(m.from, m.to) <= least;
     match m.shape {
         Shape::Arc { center, sweep } if sweep != 0.0 => {
-            distance(m.from, center) * sweep.abs() <= SAME_POINT_MM && distance(m.from, m.to) <= SAME_POINT_MM
+            is_near && distance(m.from, center) * sweep.abs() <= least
         }
-        _ => distance(m.from, m.to) <= SAME_POINT_MM,
+        _ => is_near,
     }
 }
 

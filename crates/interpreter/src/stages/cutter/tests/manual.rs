@@ -225,6 +225,48 @@ fn comp_arc_start_34() {
     assert_eq!(fault(Rules::default(), [0.0, 0.0], &cancel), Some((Fault::StartOrCancelInArc, 4)));
 }
 
+/// Steps below the least increment have no direction, one alone or so many that they lead somewhere.
+#[test]
+fn steps_below_the_least_increment_make_no_corner() {
+    let ops = [
+        g42(5.0),
+        To([10.0, 0.0]),
+        To([20.0, 0.0]),
+        To([19.999_99, 0.0]),
+        To([40.0, 0.0]),
+        G40,
+        To([50.0, 0.0]),
+    ];
+    let steps = [line(10.0, -5.0, 1), line(20.0, -5.0, 2), line(40.0, -5.0, 4), line(50.0, 0.0, 6)];
+    expect([0.0, 0.0], &ops, &steps);
+    let ops = [
+        g42(5.0),
+        To([10.0, 0.0]),
+        Cw([20.0, 10.0], [20.0, 0.0]),
+        To([20.0, 10.000_01]),
+        To([20.0, 10.0]),
+        To([40.0, 10.0]),
+        G40,
+        To([50.0, 10.0]),
+    ];
+    let steps = [
+        line(15.0, 0.0, 1),
+        round(20.0, 5.0, [20.0, 0.0], -90.0, 2),
+        line(40.0, 5.0, 5),
+        line(50.0, 10.0, 7),
+    ];
+    let rules = Rules { start_up: StartUp::A, ..Rules::default() };
+    expect_with(rules, [10.0, -20.0], &ops, &steps, 1e-3);
+    let mut ops = vec![g42(5.0), To([10.0, 0.0])];
+    ops.extend((1..=30_000).map(|k| To([10.0 + f64::from(k) * 4e-4, 0.0])));
+    ops.extend([To([22.0, 10.0]), G40, To([22.0, 20.0])]);
+    let (got, fault) = run(Rules::default(), [0.0, 0.0], &ops);
+    assert!(fault.is_none());
+    let ends = got.iter().filter_map(|o| if let Out::Move { to, .. } = o { Some(*to) } else { None });
+    let furthest = ends.fold(0.0_f64, |most, [x, y]| if y < 0.0 { most.max(x) } else { most });
+    assert!((furthest - 27.0).abs() < 1e-3, "{furthest}");
+}
+
 #[test]
 fn g10_tool_offsets() {
     let ops = [g41(6.5), To([0.0, 0.0]), To([0.0, 30.0]), To([20.0, 30.0]), G40, To([40.0, 40.0])];
