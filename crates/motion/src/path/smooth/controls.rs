@@ -14,7 +14,7 @@ const LEAST_LOOKS: usize = 3;
 pub(super) const MOST_LOOKS: usize = 16;
 
 /// A slow span is no longer than this share of what is smoothed away there, where so many parts are enough.
-const SPLIT: f64 = 0.3;
+const SPLIT: f64 = 0.27;
 const MOST_PARTS: usize = 10;
 
 /// Where less of the jerk is taken than this, there and near by, there is less to bend for: it may be so much longer, up to so many
