@@ -158,6 +158,9 @@ struct Step {
     rising: State,
     falling: State,
     from: State,
+    /// State in its middle on both ramps; the one down is mirrored.
+    up_middle: State,
+    down_middle: State,
     /// Whether its bounds are other than in the last pass that went over it.
     is_new: bool,
 }
@@ -491,12 +494,15 @@ impl Grid {
     /// Passes 2 to 6, again and again; `false` if no plan was found.
     fn find(&mut self, queue: &Queue, from: Port, care: Care) -> bool {
         self.leave(queue);
-        if !self.pass(from) {
+        let all = 0..self.steps.len();
+        if !self.rise_and_fall(all.clone(), from.state) {
             return false;
         }
-        if care == Care::Bold && self.come_closer(queue) && !self.pass(from) {
+        // With its summits rounded it will be no faster.
+        if care == Care::Bold && self.come_closer(queue) && !self.rise_and_fall(all.clone(), from.state) {
             return false;
         }
+        self.round_off(all, from);
         for round in 0..ROUNDS {
             let less = match care {
                 Care::Bold => LESS - EVERY_ROUND * round as f64,
@@ -535,15 +541,24 @@ impl Grid {
 
     /// Passes 2 to 5 over these steps, which begin at `from`; `false` if the path cannot be slowed down from there.
     fn pass_over(&mut self, range: Range<usize>, from: Port) -> bool {
-        self.bound(range.clone());
-        self.foresee(range.clone());
-        self.speed_up(range.clone(), from.state);
-        if !self.slow_down(range.clone(), from.state) {
-            return false;
+        let goes = self.rise_and_fall(range.clone(), from.state);
+        if goes {
+            self.round_off(range, from);
         }
+        goes
+    }
+
+    /// Pass 5, and the states between the steps.
+    fn round_off(&mut self, range: Range<usize>, from: Port) {
         self.round_summits(range.clone(), from);
         self.join(range, from.state);
-        true
+    }
+
+    /// Passes 2 to 4 over these steps; `false` if the path cannot be slowed down from `from`.
+    fn rise_and_fall(&mut self, range: Range<usize>, from: State) -> bool {
+        self.bound(range.clone());
+        self.foresee(range.clone());
+        self.ramp(range, from)
     }
 
     /// Where the steps before `end` end, and that one begins.
@@ -613,38 +628,39 @@ impl Grid {
         }
     }
 
-    /// Pass 4, forward.
-    fn speed_up(&mut self, range: Range<usize>, from: State) {
-        let mut state = from;
-        for (step, known) in self.steps[range.clone()].iter_mut().zip(&mut self.known[range]) {
-            step.rising = state;
-            let [middle, end] = step.climb(&mut known.up, step.up[1], state);
-            step.x = middle.v * middle.v;
-            step.slope = middle.a;
-            step.by = if middle.v < step.cap { By::Up } else { By::Cap };
-            state = end;
-        }
-    }
-
-    /// Pass 4, backward, and the lower of both. `false` if the path cannot be slowed down from `from`.
-    fn slow_down(&mut self, range: Range<usize>, from: State) -> bool {
+    /// Pass 4: the lower of speeding up, forward, and of slowing down, backward. `false` if the path cannot be slowed down from
+    /// `from`.
+    ///
+    /// Both go step by step at the same time: each waits for its own step before, and a processor does one while the other waits.
+    fn ramp(&mut self, range: Range<usize>, from: State) -> bool {
         // Mirrored: braking is speeding up.
         let State { v, a } = self.port(range.end).state;
-        let mut state = State { v, a: -a };
+        let (mut rising, mut falling) = (from, State { v, a: -a });
         let first = range.start;
-        for (step, known) in self.steps[range.clone()].iter_mut().zip(&mut self.known[range]).rev() {
-            let [middle, end] = step.climb(&mut known.down, step.down[0], state);
-            let x = middle.v * middle.v;
-            if x < step.x {
-                step.x = x;
-                step.slope = -middle.a;
-                step.by = By::Down;
-            }
-            state = end;
-            step.falling = State { v: state.v, a: -state.a };
+        let (steps, known) = (&mut self.steps[range.clone()], &mut self.known[range]);
+        let n = steps.len();
+        for i in 0..n {
+            let step = &mut steps[i];
+            step.rising = rising;
+            let [middle, end] = step.climb(&mut known[i].up, step.up[1], rising);
+            (step.up_middle, rising) = (middle, end);
+            let k = n - 1 - i;
+            let step = &mut steps[k];
+            let [middle, end] = step.climb(&mut known[k].down, step.down[0], falling);
+            (step.down_middle, falling) = (middle, end);
+            step.falling = State { v: end.v, a: -end.a };
+        }
+        for step in steps {
+            let (up, down) = (step.up_middle, step.down_middle);
+            let (high, low) = (up.v * up.v, down.v * down.v);
+            (step.x, step.slope, step.by) = if low < high {
+                (low, -down.a, By::Down)
+            } else {
+                (high, up.a, if up.v < step.cap { By::Up } else { By::Cap })
+            };
         }
         // Only the first step's cap may be below the state that is given.
-        state.v >= from.v * (1.0 - 1e-9) || self.steps[first].cap < from.v
+        falling.v >= from.v * (1.0 - 1e-9) || self.steps[first].cap < from.v
     }
 
     /// Pass 5. Which jerk is left depends on the acceleration that results: twice.

@@ -10,6 +10,7 @@
 
 use crate::limits::{Class, Load};
 use crate::path::shape::Shape;
+use crate::timing::piece::PLACES;
 use crate::timing::ramp::Foot;
 use ferrocut_geometry::Position;
 
@@ -72,6 +73,35 @@ impl Cell {
         }
         let [first, second, third] = self.shape.derivatives(len - s);
         [first.map(|c| -c), second, third.map(|c| -c)]
+    }
+
+    /// The same of every axis at several places.
+    #[inline(always)]
+    pub fn derivatives_at<const N: usize>(&self, s: &[f64; PLACES], len: f64) -> [[[f64; PLACES]; N]; 3] {
+        let mut at = [[[0.0; PLACES]; N]; 3];
+        let Shape::Cubic(cubic) = &self.shape else {
+            for k in 0..PLACES {
+                for (at, derivatives) in at.iter_mut().zip(self.derivatives::<N>(s[k], len)) {
+                    for i in 0..N {
+                        at[i][k] = derivatives[i];
+                    }
+                }
+            }
+            return at;
+        };
+        // All places at once.
+        let (s, sign) = if self.is_back { (s.map(|s| len - s), -1.0) } else { (*s, 1.0) };
+        let [_, c1, c2, c3] = &cubic.c;
+        let [first, second, third] = &mut at;
+        for i in 0..N {
+            let (c1, c2, c3) = (c1.0[i], 2.0 * c2.0[i], 6.0 * c3.0[i]);
+            for k in 0..PLACES {
+                first[i][k] = sign * (c1 + s[k] * (c2 + s[k] * (0.5 * c3)));
+                second[i][k] = c2 + s[k] * c3;
+                third[i][k] = sign * c3;
+            }
+        }
+        at
     }
 }
 
@@ -382,5 +412,31 @@ impl Queue {
         self.first_mark = self.last_mark;
         self.first = [self.head, self.first_mark];
         self.rests = 0;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::path::shape::Cubic;
+
+    #[test]
+    fn several_places_are_as_each_of_them() {
+        let p = |x, y, z| Position::xyz(x, y, z);
+        let cubic =
+            Cubic { c: [p(1.0, 2.0, 3.0), p(1.0, 0.1, 0.0), p(0.2, -0.3, 0.1), p(-0.4, 0.5, 0.2)], len: 2.0 };
+        for shape in [Shape::Cubic(cubic), Shape::Line { p: p(1.0, 0.0, 0.0), d: p(0.6, 0.8, 0.0) }] {
+            for is_back in [false, true] {
+                let cell = Cell { is_back, ..Cell::new(shape, None) };
+                let places: [f64; PLACES] = std::array::from_fn(|k| 0.25 * k as f64);
+                let at = cell.derivatives_at::<3>(&places, 2.0);
+                for (k, s) in places.into_iter().enumerate() {
+                    let expected = cell.derivatives::<3>(s, 2.0);
+                    for (at, expected) in at.iter().flatten().zip(expected.iter().flatten()) {
+                        assert!((at[k] - expected).abs() < 1e-12, "{is_back} {k}: {} {expected}", at[k]);
+                    }
+                }
+            }
+        }
     }
 }

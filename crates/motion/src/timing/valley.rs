@@ -31,7 +31,7 @@
 //! whose matrix has two diagonals on either side, and goes as far as `z` and `λ` stay positive. What is left of the
 //! curvature of `√X` would only make steps longer.
 //!
-//! What comes out is taken if it is faster and every piece of it keeps all bounds, looked at in nine places and wherever cells
+//! What comes out is taken if it is faster and every piece of it keeps all bounds, looked at in eight places and wherever cells
 //! meet; if not, once more with less where it did not. The plan before stands otherwise. So an iteration that goes astray costs time alone.
 //!
 //! **Windows** begin inside the one before. Its solution has used what there is, so in other steps, or with bounds that are a
@@ -39,6 +39,7 @@
 //! one before; a bound that its first state lies on is loosened by `INSIDE`, so that this state is strictly inside all of
 //! them.
 
+mod band;
 mod bounds;
 mod road;
 mod rows;
@@ -47,9 +48,11 @@ mod solve;
 use crate::limits::Inverses;
 use crate::timing::piece::{Piece, ROUNDING, State};
 use crate::timing::queue::{Node, Queue};
+use band::Band;
 use ferrocut_geometry::AXES;
+use pulp::{Arch, NullaryFnOnce};
 pub(crate) use road::Road;
-use rows::{PAD, Rows, Speeds};
+use rows::{PAD, Rows, Speeds, Sums};
 use solve::{FIRST_GAP, NEXT_GAP, Solution};
 
 /// Most steps of a window of a valley.
@@ -66,9 +69,12 @@ const TRIES: usize = 2;
 /// Pieces that there is room for.
 const WAY: usize = 8192;
 
-/// A step in time, s, and how far the path turns in it at most, rad.
+/// A step in time, s, and how far the path turns in it at most, rad; where jerk is limited, it need not be shorter than so much for
+/// that, unless it turns as far as [`MOST_TURN`] then.
 const TAU: f64 = 0.004;
 const TURN: f64 = 0.1;
+const LEAST_TAU: f64 = 0.002;
+const MOST_TURN: f64 = 0.3;
 
 /// A step may be so much shorter to end where cells meet, and so much to end where the third derivative jumps.
 const SHORT: f64 = 0.25;
@@ -113,9 +119,9 @@ pub(crate) struct Valley {
     more: Vec<f64>,
     rows: Rows,
     speeds: Speeds,
-    /// Diagonals of the matrix, and the right side.
-    band: Vec<[f64; 3]>,
-    right: Vec<f64>,
+    sums: Sums,
+    /// What an iteration solves.
+    band: Band,
     pieces: Vec<Piece>,
     /// The whole way, as far as it is found.
     way: Vec<Piece>,
@@ -136,8 +142,8 @@ impl Valley {
             more: Vec::with_capacity(STEPS + 2),
             rows: Rows::new(STEPS + 2),
             speeds: Speeds::new(STEPS + 2),
-            band: Vec::with_capacity(STEPS + 2 + PAD),
-            right: Vec::with_capacity(STEPS + 2 + PAD),
+            sums: Sums::new(STEPS + 2),
+            band: Band::new(STEPS + 2 + PAD),
             pieces: Vec::with_capacity(STEPS),
             way: Vec::with_capacity(WAY),
             tight: Vec::with_capacity(WAY),
@@ -309,7 +315,11 @@ impl Valley {
             let turn = norm(&derivatives[1]) / norm(&derivatives[0]).max(1e-9);
             let mut h = TAU * speed(plan, k, s);
             h = h.min(TAU * speed(plan, k, (s + h).min(end)).max(0.3 * h / TAU));
-            h = h.min(TURN / turn.max(1e-9)).max(1e-6);
+            let inverse = road.inverses.of(road.queue.node(cell).class);
+            let is_free = inverse.is_free_of_jerk(&derivatives[0]);
+            let least =
+                if is_free { 0.0 } else { (LEAST_TAU * speed(plan, k, s)).min(MOST_TURN / turn.max(1e-9)) };
+            h = h.min((TURN / turn.max(1e-9)).max(least)).max(1e-6);
             // It ends where the path changes, if that is about there, and does not reach over a jump.
             let (mut to, mut next) = (s + h, cell);
             while next + 1 < road.queue.tail() && road.queue.node(next).end() <= s + 1.3 * h {
@@ -401,24 +411,43 @@ impl Valley {
         first: u64,
         little: f64,
     ) -> bool {
-        let mut is_good = true;
-        let mut cell = first;
         self.more.clear();
         self.more.resize(self.s.len(), 1.0);
-        for k in 0..self.pieces.len() {
-            let used = road.most_used(&self.pieces[k], &mut cell);
-            if !(used <= ROUNDING) {
-                is_good = false;
-                let more = (1.0 + LESS * (used - 1.0) + little).min(MOST_MORE);
-                self.more[k] *= more;
-                self.more[k + 1] *= more;
-            }
-        }
+        let is_good = Arch::new().dispatch(Judge { valley: self, road, first, little });
         if !is_good {
             for (tighter, more) in self.tighter.iter_mut().zip(&self.more) {
                 *tighter *= more;
             }
             self.rows.tighten(&self.more);
+        }
+        is_good
+    }
+}
+
+/// Whether every piece keeps all bounds, with vectors as wide as the processor has them; where not, how much more the places
+/// at its ends are to count.
+struct Judge<'a, 'q, const N: usize, C: Fn(&Node) -> f64> {
+    valley: &'a mut Valley,
+    road: &'a Road<'q, N, C>,
+    first: u64,
+    little: f64,
+}
+
+impl<const N: usize, C: Fn(&Node) -> f64> NullaryFnOnce for Judge<'_, '_, N, C> {
+    type Output = bool;
+
+    #[inline(always)]
+    fn call(self) -> bool {
+        let Valley { pieces, more, .. } = self.valley;
+        let (mut is_good, mut cell) = (true, self.first);
+        for (k, piece) in pieces.iter().enumerate() {
+            let used = self.road.most_used(piece, &mut cell);
+            if !(used <= ROUNDING) {
+                is_good = false;
+                let by = (1.0 + LESS * (used - 1.0) + self.little).min(MOST_MORE);
+                more[k] *= by;
+                more[k + 1] *= by;
+            }
         }
         is_good
     }

@@ -19,7 +19,7 @@ const MOST_PARTS: usize = 10;
 
 /// Where less of the jerk is taken than this, there and near by, there is less to bend for: it may be so much longer, up to so many
 /// times what is smoothed away.
-const BENDS: f64 = 0.15;
+const BENDS: f64 = 0.3;
 const LONGEST: f64 = 10.0;
 
 /// At an end it is slow because it rests there: with more knots the fit, soft as it is where it is slow, would turn there so

@@ -24,6 +24,7 @@ impl Valley {
     /// The bounds at all places, in the order of the control points that they begin with.
     pub(super) fn bound<const N: usize>(&mut self, road: &Road<'_, N, impl Fn(&Node) -> f64>, first: u64) {
         self.rows.clear();
+        self.speeds.begin(&self.h);
         let places = self.s.len();
         let mut cell = first;
         let mut cap_cell = first;

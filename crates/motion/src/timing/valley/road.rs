@@ -3,17 +3,13 @@
 use crate::limits::{Inverses, peak};
 use crate::path::shape::Shape;
 use crate::quick::larger;
-use crate::timing::piece::{Piece, State};
+use crate::timing::piece::{PLACES, Piece, Places, State};
 use crate::timing::queue::{Node, Queue};
+use std::ops::Range;
 
 /// The third derivative jumps where it does by more than this share of itself, and that takes more than this share of the jerk.
 const JUMP: f64 = 0.1;
 const JUMP_TAKES: f64 = 0.02;
-
-/// In how many parts a piece is looked at, and in how many where one of them is nearly on a bound.
-const PARTS: u8 = 4;
-const FINE_PARTS: u8 = 8;
-const NEARLY_ALL: f64 = 0.99;
 
 /// What a valley lies on, where none but the `N` axes in front move.
 pub(crate) struct Road<'a, const N: usize, C: Fn(&Node) -> f64> {
@@ -76,31 +72,58 @@ impl<const N: usize, C: Fn(&Node) -> f64> Road<'_, N, C> {
         least
     }
 
-    /// Largest share of a bound that a piece uses, which begins in `cell` or behind it.
+    /// Largest share of a bound that a piece uses, which begins in `cell` or behind it; `cell` is then the one that it ends in.
+    #[inline(always)]
     pub(super) fn most_used(&self, piece: &Piece, cell: &mut u64) -> f64 {
         *cell = self.cell(*cell, piece.s);
-        let used_at = |part: u8, of: u8| {
-            let (s, state, j) = piece.state(f64::from(part) / f64::from(of) * piece.time);
-            let at = self.cell(*cell, s.min(piece.end() - 1e-9));
-            self.used(at, s, state, j)
-        };
-        let mut used = (0..=PARTS).map(|part| used_at(part, PARTS)).fold(0.0, f64::max);
-        if used > NEARLY_ALL {
-            let between = (1..FINE_PARTS).step_by(2).map(|part| used_at(part, FINE_PARTS));
-            used = between.fold(used, f64::max);
-        }
-        // Where cells meet inside it the derivatives may jump.
+        let places = piece.places();
+        let mut begin = f64::NEG_INFINITY;
+        let mut used = 0.0;
         loop {
             let border = self.queue.node(*cell).end();
-            if border >= piece.end() - 1e-9 || *cell + 1 >= self.queue.tail() {
+            let is_last = border >= piece.end() - 1e-9 || *cell + 1 >= self.queue.tail();
+            let end = if is_last { f64::INFINITY } else { border };
+            used = larger(used, self.used_inside(*cell, &places, begin..end));
+            if is_last {
                 return used;
             }
+            // Where cells meet inside it the derivatives may jump.
             if border > piece.s + 1e-9 {
                 let (s, state, j) = piece.state(piece.time_at(border));
                 used = used.max(self.used(*cell, s, state, j)).max(self.used(*cell + 1, s, state, j));
             }
+            begin = border;
             *cell += 1;
         }
+    }
+
+    /// Largest share of a bound that is used at those of the places that lie in this `range` of lengths, all of `cell`.
+    #[inline(always)]
+    fn used_inside(&self, cell: u64, places: &Places, range: Range<f64>) -> f64 {
+        let node = self.queue.node(cell);
+        let inverse = self.inverses.of(node.class);
+        let Places { s, v, a, j } = places;
+        let along = s.map(|s| (s - node.s).clamp(0.0, node.len));
+        let [first, second, third] = self.queue.cell(cell).derivatives_at::<N>(&along, node.len);
+        let slow = (self.cap)(node).recip();
+        let mut most = [0.0; PLACES];
+        for k in 0..PLACES {
+            let along = larger(a[k].abs() * inverse.along[0], j[k].abs() * inverse.along[1]);
+            most[k] = larger(v[k] * slow, along);
+        }
+        for i in 0..N {
+            let (d1, d2, d3) = (&first[i], &second[i], &third[i]);
+            let (most_a, most_j) = (inverse.acceleration[i], inverse.jerk[i]);
+            for k in 0..PLACES {
+                let (v, a, j) = (v[k], a[k], j[k]);
+                let (w, swing) = (v * v, 3.0 * v * a);
+                let acceleration = (d2[k] * w + d1[k] * a) * most_a;
+                let jerk = (d3[k] * (w * v) + d2[k] * swing + d1[k] * j) * most_j;
+                most[k] = larger(larger(most[k], acceleration.abs()), jerk.abs());
+            }
+        }
+        let inside = |k: usize| s[k] >= range.start && s[k] < range.end;
+        (0..PLACES).filter(|k| inside(*k)).fold(0.0, |used, k| larger(used, most[k]))
     }
 
     /// Largest share of a bound that is used at `s`.

@@ -7,6 +7,7 @@
 //! looked at by itself; in half the room twice as many are done at once. The control points and the matrix have 53.
 
 use super::Valley;
+use super::band::Band;
 use crate::quick::larger;
 use ferrocut_geometry::AXES;
 
@@ -139,30 +140,107 @@ pub(super) struct Speeds {
     v: Vec<f32>,
     before: Vec<f32>,
     behind: Vec<f32>,
+    /// Of the control points before and behind in `x` there.
+    weights: [Vec<f32>; 2],
 }
 
 impl Speeds {
     pub fn new(places: usize) -> Speeds {
         let room = || Vec::with_capacity(places + PAD);
-        Speeds { x: room(), change: room(), v: room(), before: room(), behind: room() }
+        Speeds {
+            x: room(),
+            change: room(),
+            v: room(),
+            before: room(),
+            behind: room(),
+            weights: [room(), room()],
+        }
     }
 
-    /// Of these steps.
-    #[inline(always)]
-    fn set(&mut self, x: &[f64], h: &[f64]) {
-        let n = h.len();
-        for to in [&mut self.v, &mut self.before, &mut self.behind] {
+    /// The lengths of the steps.
+    pub fn begin(&mut self, h: &[f64]) {
+        let Speeds { v, before, behind, weights: [first, second], .. } = self;
+        for to in [v, before, behind, &mut *first, &mut *second] {
             to.clear();
-            to.resize(n + PAD, 0.0);
+            to.resize(h.len() + PAD, 0.0);
         }
+        for (k, pair) in h.windows(2).enumerate() {
+            let both = (pair[0] + pair[1]).recip();
+            (first[k], second[k]) = ((pair[1] * both) as f32, (pair[0] * both) as f32);
+        }
+    }
+
+    /// With these control points; behind them there is room for [`PAD`] more.
+    #[inline(always)]
+    fn set(&mut self, x: &[f64]) {
         self.x.clear();
         self.x.extend(x.iter().map(|x| *x as f32));
-        for k in 0..n - 1 {
-            let both = (h[k] + h[k + 1]).recip();
-            let v = larger(1e-12, (x[k] * h[k + 1] + x[k + 1] * h[k]) * both).sqrt();
-            let share = 0.5 * both / v;
-            let [before, behind] = [h[k + 1] * share, h[k] * share];
-            (self.v[k], self.before[k], self.behind[k]) = (v as f32, before as f32, behind as f32);
+        let places = x.len() - PAD;
+        let to = self.v[..places].iter_mut().zip(&mut self.before[..places]).zip(&mut self.behind[..places]);
+        let weights = self.weights[0][..places].iter().zip(&self.weights[1][..places]);
+        let from = self.x[..places].iter().zip(&self.x[1..]).zip(weights);
+        for (((v, before), behind), ((x0, x1), (w0, w1))) in to.zip(from) {
+            let root = larger(1e-12, x0 * w0 + x1 * w1).sqrt();
+            let half = 0.5 / root;
+            (*v, *before, *behind) = (root, w0 * half, w1 * half);
+        }
+    }
+}
+
+/// What rows add to the matrix and the right side: to the diagonal at the three control points of each, beside it at the first two,
+/// to the outer diagonal at the first, and to the right side at all three.
+const SUMS: usize = 9;
+
+/// The sums of that over the rows that begin with a control point.
+///
+/// Each is kept by itself until all rows are in. Added to the matrix at once, each would go beside where the one before went, and a
+/// processor waits for a number that it is to read together with others of which only some were written a moment ago.
+#[derive(Debug)]
+pub(super) struct Sums([Vec<f32>; SUMS]);
+
+/// Control points before the first, of which there are no rows.
+const BEFORE: usize = 2;
+
+impl Sums {
+    /// For so many control points.
+    pub fn new(points: usize) -> Sums {
+        Sums([0; SUMS].map(|_| Vec::with_capacity(BEFORE + points + PAD)))
+    }
+
+    #[inline(always)]
+    fn clear(&mut self, points: usize) {
+        for sums in &mut self.0 {
+            sums.clear();
+            sums.resize(BEFORE + points + PAD, 0.0);
+        }
+    }
+
+    /// The sums of the rows from control point `base` on.
+    #[inline(always)]
+    fn put(&mut self, base: usize, sums: &[Lanes; SUMS]) {
+        for (to, sums) in self.0.iter_mut().zip(sums) {
+            to[BEFORE + base..BEFORE + base + LANES].copy_from_slice(sums);
+        }
+    }
+
+    /// Adds them to the matrix and the right side.
+    #[inline(always)]
+    fn pour(&self, band: &mut Band, points: usize) {
+        let [a0, a1, a2, b0, b1, c, r0, r1, r2] = &self.0;
+        // What rows add that begin `k` control points before.
+        let from = |k: usize| BEFORE - k..BEFORE - k + points;
+        let Band { diagonals: [diagonal, beside, outer], right } = band;
+        for (to, sums) in [(diagonal, [a0, a1, a2]), (right, [r0, r1, r2])] {
+            let [first, second, third] = [0, 1, 2].map(|k| &sums[k][from(k)]);
+            for ((to, x), (y, z)) in to.iter_mut().zip(first).zip(second.iter().zip(third)) {
+                *to += f64::from(x + y + z);
+            }
+        }
+        for ((to, x), y) in beside.iter_mut().zip(&b0[from(0)]).zip(&b1[from(1)]) {
+            *to += f64::from(x + y);
+        }
+        for (to, x) in outer.iter_mut().zip(&c[from(0)]) {
+            *to += f64::from(*x);
         }
     }
 }
@@ -229,7 +307,7 @@ impl Block {
 
     /// Adds to the `sums` of the matrix and of the right side.
     #[inline(always)]
-    fn assemble(&mut self, mu: f32, sums: &mut [Lanes; 9]) {
+    fn assemble(&mut self, mu: f32, sums: &mut [Lanes; SUMS]) {
         let Block { z: [z0, z1], l: [l0, l1], inverse: [inverse0, inverse1], value, counts, .. } = self;
         let [g0, g1, g2] = &self.g;
         let [a0, a1, a2, b0, b1, c, r0, r1, r2] = sums;
@@ -301,8 +379,8 @@ impl Lead {
 impl Valley {
     /// Value and gradient of every bound as of now.
     pub(super) fn look(&mut self) {
-        let Valley { x, h, rows, speeds, .. } = self;
-        speeds.set(x, h);
+        let Valley { x, rows, speeds, .. } = self;
+        speeds.set(x);
         for block in &mut rows.blocks {
             block.look(speeds);
         }
@@ -319,20 +397,22 @@ impl Valley {
     /// Goes on by the last step, and adds what the bounds ask for to the matrix and the right side.
     #[inline(always)]
     pub(super) fn assemble_rows(&mut self, step: [f64; 2], mu: f64) {
-        let Valley { x, h, rows, speeds, band, right, .. } = self;
-        speeds.set(x, h);
+        let Valley { x, h, rows, speeds, band, sums: all, .. } = self;
+        speeds.set(x);
+        all.clear(h.len());
         let step = step.map(|step| step as f32);
-        let (mut base, mut sums) = (0, [[0.0; LANES]; 9]);
+        let (mut base, mut sums) = (0, [[0.0; LANES]; SUMS]);
         for block in &mut rows.blocks {
             if block.base != base {
-                pour(band, right, base, &sums);
-                (base, sums) = (block.base, [[0.0; LANES]; 9]);
+                all.put(base, &sums);
+                (base, sums) = (block.base, [[0.0; LANES]; SUMS]);
             }
             block.step(step);
             block.look(speeds);
             block.assemble(mu as f32, &mut sums);
         }
-        pour(band, right, base, &sums);
+        all.put(base, &sums);
+        all.pour(band, h.len());
     }
 
     /// Where the solution of the system leads.
@@ -341,7 +421,7 @@ impl Valley {
         let (mut most, mut products) = ([[0.0; LANES]; 2], [[0.0; LANES]; 4]);
         let change = &mut self.speeds.change;
         change.clear();
-        change.extend(self.right.iter().map(|right| *right as f32));
+        change.extend(self.band.right.iter().map(|right| *right as f32));
         for block in &mut self.rows.blocks {
             block.lead(change, mu as f32, &mut most, &mut products);
         }
@@ -357,20 +437,6 @@ impl Valley {
         for block in &mut self.rows.blocks {
             block.step(step.map(|step| step as f32));
         }
-    }
-}
-
-/// Adds the sums of rows that begin with `base` and the next: of the diagonal, the one beside it, the outer one and the right side.
-#[inline(always)]
-fn pour(band: &mut [[f64; 3]], right: &mut [f64], base: usize, sums: &[Lanes; 9]) {
-    for i in 0..LANES {
-        let [a0, a1, a2, b0, b1, c, r0, r1, r2] = sums.each_ref().map(|lanes| f64::from(lanes[i]));
-        let [x, y, z] = &mut band[base + i..base + i + 3] else { return };
-        *x = [x[0] + a0, x[1] + b0, x[2] + c];
-        *y = [y[0] + a1, y[1] + b1, y[2]];
-        z[0] += a2;
-        let [x, y, z] = &mut right[base + i..base + i + 3] else { return };
-        (*x, *y, *z) = (*x + r0, *y + r1, *z + r2);
     }
 }
 
@@ -390,6 +456,7 @@ mod tests {
         valley.h = (0..=places).map(|i| 0.1 + 0.03 * wave(i, 1.7)).collect();
         valley.x = (0..=places).map(|i| 90.0 + 40.0 * wave(i, 0.9)).collect();
         valley.x.resize(valley.h.len() + PAD, 0.0);
+        valley.speeds.begin(&valley.h);
         let c = |i: usize, by: f64| [2e-3 * wave(i, by), -3e-3 * wave(i, by + 0.5), 1e-3 * wave(i, by + 1.0)];
         for k in 0..places - 1 {
             if k > 0 {
@@ -463,10 +530,11 @@ mod tests {
         let mut valley = valley();
         valley.slacken_rows(0.15, 1e-3);
         let n = valley.h.len() + PAD;
-        (valley.band, valley.right) = (vec![[0.0; 3]; n], vec![0.0; n]);
+        valley.band.diagonals = [0; 3].map(|_| vec![0.0; n]);
+        valley.band.right = vec![0.0; n];
         valley.assemble_rows([0.0; 2], 1e-3);
         // The sums are those of the bounds one by one.
-        let mut expected = (vec![[0.0; 3]; n], vec![0.0; n]);
+        let mut expected = ([0; 3].map(|_| vec![0.0; n]), vec![0.0; n]);
         for block in &valley.rows.blocks {
             for i in (0..LANES).filter(|i| block.counts[*i] > 0.0) {
                 let (value, g) = (f64::from(block.value[i]), block.g.map(|g| f64::from(g[i])));
@@ -476,20 +544,20 @@ mod tests {
                 });
                 for row in 0..3 {
                     for column in row..3 {
-                        expected.0[block.base + i + row][column - row] += (w0 + w1) * g[row] * g[column];
+                        expected.0[column - row][block.base + i + row] += (w0 + w1) * g[row] * g[column];
                     }
                     expected.1[block.base + i + row] += (p1 - p0) * g[row];
                 }
             }
         }
-        for (found, expected) in valley.band.iter().flatten().zip(expected.0.iter().flatten()) {
+        for (found, expected) in valley.band.diagonals.iter().flatten().zip(expected.0.iter().flatten()) {
             assert!((found - expected).abs() <= EXACT * expected.abs().max(EXACT), "{found} {expected}");
         }
-        for (found, expected) in valley.right.iter().zip(&expected.1) {
+        for (found, expected) in valley.band.right.iter().zip(&expected.1) {
             assert!((found - expected).abs() <= EXACT * expected.abs().max(EXACT), "{found} {expected}");
         }
-        let right: Vec<f64> = valley.right.iter().map(|r| 1e-3 * r).collect();
-        valley.right = right;
+        let right: Vec<f64> = valley.band.right.iter().map(|r| 1e-3 * r).collect();
+        valley.band.right = right;
         let lead = valley.lead(1e-3);
         // Each product of slack and multiplier is what they began with.
         let all = 2.0 * valley.rows.count as f64 * 1e-3;

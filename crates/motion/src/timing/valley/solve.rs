@@ -1,7 +1,9 @@
 //! The interior point method: `x` of least time within the bounds ([`super`] has the mathematics).
 
+use super::band::Band;
 use super::rows::PAD;
 use super::{Valley, WORTH};
+use crate::quick::larger;
 use pulp::{Arch, NullaryFnOnce};
 
 /// Iterations at most, the share of the time that may be missing to the least, and what may be left of by how much slacks
@@ -24,6 +26,12 @@ const AIMS: [(f64, f64); 3] = [(0.8, 0.15), (0.4, 0.3), (0.0, 0.5)];
 
 /// How close to zero slacks and multipliers go in an iteration.
 const NEARLY: f64 = 0.98;
+
+/// Control points fall by no more than this share of themselves.
+const MOST_FALL: f64 = 0.7;
+
+/// So many steps are done together.
+const TOGETHER: usize = 8;
 
 /// Where the sum of the products is so many times the time, there is no way within the bounds.
 const ASTRAY: f64 = 10.0;
@@ -88,19 +96,15 @@ impl Valley {
             if now - sum > WORTH * planned {
                 return Solution::Worthless;
             }
-            if !self.eliminate() {
+            if !self.band.solve(n) {
                 return Solution::None;
             }
             // Where it leads, as far as slacks and multipliers stay positive.
             let lead = self.lead(mu);
-            let mut far = NEARLY / lead.most[0].max(NEARLY);
-            for i in 2..n - 2 {
-                if self.right[i] < 0.0 {
-                    far = far.min(-0.7 * self.x[i] / self.right[i]);
-                }
-            }
-            for i in 2..n - 2 {
-                self.x[i] += far * self.right[i];
+            let fall = most_fall(&self.x[2..n - 2], &self.band.right[2..n - 2]);
+            let far = (NEARLY / lead.most[0].max(NEARLY)).min(MOST_FALL / fall);
+            for (x, change) in self.x[2..n - 2].iter_mut().zip(&self.band.right[2..n - 2]) {
+                *x += far * change;
             }
             step = [far, NEARLY / lead.most[1].max(NEARLY)];
             sum = lead.sum(step);
@@ -123,55 +127,46 @@ impl Valley {
     #[inline(always)]
     fn assemble(&mut self, step: [f64; 2], mu: f64) -> f64 {
         let n = self.h.len();
-        let mut time = 0.0;
-        self.band.clear();
-        self.right.clear();
-        for i in 0..n {
-            let inverse = self.x[i].max(1e-12).recip();
-            let own = self.h[i] * inverse.sqrt();
-            let slow = own * inverse;
-            // Before and behind the steps there is one more each.
-            if i > 0 && i + 1 < n {
-                time += own;
-            }
-            self.band.push([0.75 * slow * inverse, 0.0, 0.0]);
-            self.right.push(0.5 * slow);
+        let Band { diagonals: [diagonal, beside, outer], right } = &mut self.band;
+        for to in [&mut *diagonal, beside, outer, right] {
+            to.clear();
+            to.resize(n + PAD, 0.0);
         }
-        self.band.resize(n + PAD, [0.0; 3]);
-        self.right.resize(n + PAD, 0.0);
+        let mut times = [0.0; TOGETHER];
+        // Before and behind the steps there is one more each, of which the time does not count; what is given stays anyway.
+        let steps = 1..n - 1;
+        let from = self.x[steps.clone()].chunks(TOGETHER).zip(self.h[steps.clone()].chunks(TOGETHER));
+        let to = diagonal[steps.clone()].chunks_mut(TOGETHER).zip(right[steps].chunks_mut(TOGETHER));
+        for ((x, h), (diagonal, right)) in from.zip(to) {
+            for ((time, (x, h)), (diagonal, right)) in
+                times.iter_mut().zip(x.iter().zip(h)).zip(diagonal.iter_mut().zip(right))
+            {
+                let inverse = larger(1e-12, *x).recip();
+                let own = h * inverse.sqrt();
+                let slow = own * inverse;
+                *time += own;
+                *diagonal = 0.75 * slow * inverse;
+                *right = 0.5 * slow;
+            }
+        }
         self.assemble_rows(step, mu);
-        // What is given stays.
+        let Band { diagonals: [diagonal, ..], right } = &mut self.band;
         for i in [0, 1, n - 2, n - 1] {
-            self.band[i][0] = 1e30;
-            self.right[i] = 0.0;
+            diagonal[i] = 1e30;
+            right[i] = 0.0;
         }
-        time
+        times.iter().sum()
     }
+}
 
-    /// Solves `L·D·Lᵀ·dx = right` in place.
-    #[inline(always)]
-    fn eliminate(&mut self) -> bool {
-        let n = self.h.len();
-        let (band, right) = (&mut self.band[..n], &mut self.right[..n]);
-        // What the rows above take from this one and the next: of the diagonal, the one beside it and the right side.
-        let (mut own, mut next) = ([0.0; 3], [0.0; 3]);
-        for (band, right) in band.iter_mut().zip(&mut *right) {
-            let [d, e, f] = [band[0] - own[0], band[1] - own[1], band[2]];
-            if !(d > 0.0) {
-                return false;
-            }
-            let inverse = d.recip();
-            let (l1, l2) = (e * inverse, f * inverse);
-            *right -= own[2];
-            own = [next[0] + l1 * e, l1 * f, next[2] + l1 * *right];
-            next = [l2 * f, 0.0, l2 * *right];
-            *band = [inverse, l1, l2];
+/// The most that one of these falls by, as a share of itself, where they change so.
+#[inline(always)]
+fn most_fall(x: &[f64], change: &[f64]) -> f64 {
+    let mut most = [0.0; TOGETHER];
+    for (x, change) in x.chunks(TOGETHER).zip(change.chunks(TOGETHER)) {
+        for (most, (x, change)) in most.iter_mut().zip(x.iter().zip(change)) {
+            *most = larger(*most, -change / x);
         }
-        let mut below = [0.0; 2];
-        for (band, right) in band.iter().zip(right).rev() {
-            *right = *right * band[0] - band[1] * below[0] - band[2] * below[1];
-            below = [*right, below[0]];
-        }
-        true
     }
+    most.into_iter().fold(0.0, larger)
 }
