@@ -395,7 +395,10 @@ impl Interpreter {
                 None if machine != self.location.machine => {
                     return Err(self.alarm(Fault::HelixWithoutArc, self.words.block_span()));
                 }
-                None => return Ok(()),
+                None => {
+                    self.tell(*self.alarm_at(Fault::ArcOfNoLength, b'R'));
+                    return Ok(());
+                }
             },
             // About the polar origin, where no centre is given.
             None if polar && !self.words.has_any(CENTRE_LETTERS) => {

@@ -331,3 +331,29 @@ fn a_surface_speed_is_a_speed_for_drilling() {
     let (_, alarm) = run("G96 M3\nG99 G81 X10 Z-20 R2 F500\nM30", setup);
     assert_eq!(alarm.map(|alarm| alarm.fault), Some(Fault::CycleNoSpindle));
 }
+
+#[test]
+fn a_cycle_that_cuts_nothing_or_does_not_move_aside_is_told_once() {
+    // 4.4.1: without R or Z it only positions. 4.4.9: Q is how far the tool moves aside, and has no default here.
+    let setup = "[start]\nz = 50";
+    let head = "M3 S1000 F100\n";
+    for (block, fault, at) in [
+        ("G81 X1 Z-5", Fault::NoHole, "G81"),
+        ("G83 X1 R2 Q1", Fault::NoHole, "G83"),
+        ("G84 X1 R2", Fault::NoHole, "G84"),
+        ("G76 X1 R2 Z-5", Fault::NoShift, "G76"),
+        ("G87 X1 R-5 Z2", Fault::NoShift, "G87"),
+    ] {
+        // Once for all its holes, and again where it is programmed again.
+        let program = format!("{head}G98 {block}\nX5\nX9\n{block}\nG80\nM30\n");
+        let told = (fault, at.to_owned());
+        assert_eq!(told_and_tapped(&program, setup).0, [told.clone(), told], "{program}");
+    }
+    for block in ["G81 X1 R2 Z-5", "G76 X1 R2 Z-5 Q0.5", "G81 R2 Z-5 L0"] {
+        let program = format!("{head}G98 {block}\nX5\nG80\nM30\n");
+        assert_eq!(told_and_tapped(&program, setup).0, [], "{program}");
+    }
+    // A full circle by its radius is none (4.2.3 limits 3 and 5).
+    let program = "G17 G90 F100\nG2 X0 Y0 R5\nG2 X0 Y0 I5\nG2 X10 R5\nM30\n";
+    assert_eq!(told_and_tapped(program, setup).0, [(Fault::ArcOfNoLength, "R5".to_owned())]);
+}

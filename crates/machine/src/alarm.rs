@@ -144,6 +144,8 @@ faults! {
     CornerPlaneBehind = 320,
     /// An arc that starts on its centre in cutter compensation.
     ArcWithoutRadiusInCutter = 321,
+    /// An arc by its radius that ends where it begins: nothing moves.
+    ArcOfNoLength = 322,
     /// An arc in a plane of U, V, W.
     ArcInUvwPlane = 330,
     /// An arc with both a radius and a centre.
@@ -356,6 +358,10 @@ faults! {
     TappingFeedHeld = 533,
     /// The shortest dwell of a cycle, by parameter, is not below the longest.
     DwellLimits = 534,
+    /// A cycle for holes without a level R or a depth: nothing is cut.
+    NoHole = 535,
+    /// A boring that does not move the tool aside in the hole.
+    NoShift = 536,
     /// A parameter of a cycle has a value that it cannot have.
     CycleParameter = 540,
     /// A parameter of a cycle is missing.

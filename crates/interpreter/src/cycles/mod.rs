@@ -183,6 +183,8 @@ pub(crate) struct CycleState {
     length: Option<Meaning>,
     /// The feed of a tapping that was told to be held, and the speed of its spindle.
     told: Option<(f64, Option<f64>)>,
+    /// Whether it was told that the cycle makes no holes, or does not move aside in them.
+    is_told: bool,
     /// Scale factor of the tool axis, set aside while a block of the cycle runs.
     pub z_factor: Option<f64>,
 }
@@ -430,6 +432,7 @@ impl Interpreter {
         let inch = self.modal.is_inch();
         let incremental = self.modal.is_incremental();
         let mm = |v: f64| units::length_mm(v, inch);
+        self.cycle.is_told &= self.cycle_code().is_none();
         if let Some(r) = self.words.get(b'R') {
             // From the initial level; of a milling cycle from where its block begins (4.6.1).
             let mills = matches!(self.cycle_kind(), Some(CycleKind::Mill { .. }));
@@ -484,6 +487,9 @@ impl Interpreter {
         match (self.cycle.r, self.cycle.z) {
             (Some(r), Some(z)) => Ok(Some((r, z))),
             _ => {
+                if !std::mem::replace(&mut self.cycle.is_told, true) {
+                    self.tell(*self.alarm(Fault::NoHole, self.cycle_span()));
+                }
                 self.position_over_hole()?;
                 Ok(None)
             }

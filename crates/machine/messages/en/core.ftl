@@ -576,6 +576,10 @@ FC-0533 = The feed of the tapping is above the highest cutting feed
     .help = Lower F and S together. A rigid tap keeps its pitch: its spindle is slowed with the feed. In a floating holder only the feed is lowered, and the thread is spoilt.
 FC-0534 = The shortest dwell of a cycle is not below the longest
     .help = Set the parameter of the shortest dwell below that of the longest.
+FC-0535 = The cycle makes no hole: the level R or the depth Z is missing
+    .help = Program R and Z. Without one of them the tool is only positioned over the places.
+FC-0536 = The tool does not move aside in the hole: Q is missing
+    .help = Program Q, how far it moves aside. Without, the cutting edge leaves a groove in the bore, and in a back boring the tool goes into the hole with its whole width.
 
 ## Canned cycles by parameters
 
@@ -697,6 +701,9 @@ FC-0320 = The move behind the chamfer or corner arc leaves the plane
 
 FC-0321 = In cutter compensation an arc starts on its centre
     .help = Check I, J and K: they are the distances from the start of the arc to its centre.
+
+FC-0322 = The arc ends where it begins: nothing moves
+    .help = A radius gives no full circle. Program its centre by I, J or K, or check the end point.
 
 FC-0448 = A tool change in cutter compensation
     .help = End compensation by G40 first.

@@ -576,6 +576,10 @@ FC-0533 = El avance del roscado supera el mayor avance de corte
     .help = Reduzca F y S a la vez. El roscado rígido mantiene el paso: el husillo se frena con el avance. En un portamachos flotante solo baja el avance y la rosca se estropea.
 FC-0534 = La espera más corta de un ciclo no es menor que la más larga
     .help = Ponga el parámetro de la espera más corta por debajo del de la más larga.
+FC-0535 = El ciclo no hace ningún agujero: falta el nivel R o la profundidad Z
+    .help = Programe R y Z. Si falta uno de ellos, la herramienta solo se posiciona sobre los puntos.
+FC-0536 = La herramienta no se aparta en el agujero: falta Q
+    .help = Programe Q, la distancia que se aparta. Sin ella, el filo deja un surco en el mandrinado, y en el mandrinado inverso la herramienta entra en el agujero con todo su ancho.
 
 ## Canned cycles by parameters
 
@@ -697,6 +701,9 @@ FC-0320 = El movimiento tras el chaflán o redondeo sale del plano
 
 FC-0321 = Con compensación de radio un arco empieza en su centro
     .help = Revise I, J y K: son las distancias del inicio del arco a su centro.
+
+FC-0322 = El arco termina donde empieza: nada se mueve
+    .help = Un radio no define un círculo completo. Programe su centro con I, J o K, o revise el punto final.
 
 FC-0448 = Cambio de herramienta con compensación de radio
     .help = Anule antes la compensación con G40.

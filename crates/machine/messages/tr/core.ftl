@@ -576,6 +576,10 @@ FC-0533 = Kılavuz çekme ilerlemesi en yüksek kesme ilerlemesinin üstünde
     .help = F ile S'yi birlikte düşürün. Rijit kılavuz çekmede diş adımı korunur: iş mili ilerlemeyle birlikte yavaşlar. Yüzer tutucuda yalnız ilerleme düşer ve diş bozulur.
 FC-0534 = Çevrimin en kısa beklemesi en uzunundan küçük değil
     .help = En kısa bekleme parametresini en uzununkinin altına ayarlayın.
+FC-0535 = Çevrim delik açmıyor: R seviyesi veya Z derinliği eksik
+    .help = R ve Z programlayın. Biri eksikse takım yalnızca yerlerin üzerine konumlanır.
+FC-0536 = Takım delikte yana çekilmiyor: Q eksik
+    .help = Q ile ne kadar yana çekileceğini programlayın. Yoksa kesici kenar delikte iz bırakır, geri delik büyütmede takım deliğe tüm genişliğiyle girer.
 
 ## Canned cycles by parameters
 
@@ -697,6 +701,9 @@ FC-0320 = Pah ya da köşe yayından sonraki hareket düzlemden çıkıyor
 
 FC-0321 = Yarıçap telafisinde bir yay kendi merkezinde başlıyor
     .help = I, J ve K değerlerini denetleyin: bunlar yayın başından merkezine olan uzaklıklardır.
+
+FC-0322 = Yay başladığı yerde bitiyor: hareket yok
+    .help = Yarıçap tam daire vermez. Merkezini I, J veya K ile programlayın ya da bitiş noktasını denetleyin.
 
 FC-0448 = Yarıçap telafisinde takım değişimi
     .help = Önce telafiyi G40 ile bitirin.
