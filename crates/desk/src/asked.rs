@@ -86,7 +86,8 @@ fn one(word: &str, book: &Book, is_file: &dyn Fn(&str) -> bool) -> Result<Vec<As
     if let Some(number) = book.unsigned_variable(word) {
         return Ok(vec![Asked::Subject(Subject::Variable(number))]);
     }
-    if let [letter @ b'A'..=b'Z'] = upper.as_bytes() {
+    // Behind a comma it is the same address; its meaning there is told with the others.
+    if let [letter @ b'A'..=b'Z'] | [b',', letter @ b'A'..=b'Z'] = upper.as_bytes() {
         return Ok(vec![Asked::Address(*letter)]);
     }
     let spaced = upper.split_once(' ').map_or((upper.as_str(), ""), |(code, form)| (code, form.trim()));

@@ -202,6 +202,10 @@ fn a_variable_is_explained_with_its_range_and_its_own_axis() {
 
 #[test]
 fn letters_and_macro_words_are_explained() {
+    // Of a chamfer and a corner arc, as they are written.
+    for (written, letter) in [(",R", "R"), (",l", "L")] {
+        assert_eq!(page(written), page(letter));
+    }
     assert_lines("h", &["range 0 … 255, whole numbers"]);
     assert_lines("while", &["form WHILE [condition] DO m … END m"]);
 }
