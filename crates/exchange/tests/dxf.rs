@@ -162,6 +162,10 @@ fn ellipses_and_splines() {
     let found = curves(&drawing(&entities(fit)));
     near(found.last().unwrap().to, [10.0, 0.0]);
     assert!(found.iter().any(|c| distance(c.at(0.5), [5.0, 5.0]) < 1.0));
+    // The same closed.
+    let found = curves(&drawing(&entities(&fit.replacen("70 8", "70 9", 1))));
+    near(found.last().unwrap().to, found.first().unwrap().from);
+    assert!(found.iter().any(|c| c.at(0.5)[1] < -0.5));
 }
 
 #[test]

@@ -19,6 +19,9 @@ use crate::vector::{Point, cross, distance, dot, sub};
 /// Highest degree; CAD programs go up to 25.
 pub const MOST_DEGREE: usize = 25;
 
+/// Behind so many points of a closed curve nothing is left of where it was begun: a quarter to this power.
+const FADED: usize = 24;
+
 /// Halvings of a span: shorter pieces than doubles can tell apart are not needed.
 const MOST_HALVINGS: u32 = 40;
 
@@ -73,23 +76,43 @@ impl Spline {
     /// The curve through `points` as CAD programs draw it: cubic with continuous curvature, run through
     /// at the speed of the chords, without curvature at the ends or in a given direction there.
     pub fn through(points: &[Vector], start: Option<Vector>, end: Option<Vector>) -> Option<Spline> {
-        let mut distinct: Vec<Vector> = Vec::with_capacity(points.len());
-        for p in points {
-            if distinct.last() != Some(p) {
-                distinct.push(*p);
-            }
-        }
-        let chords: Vec<f64> = distinct
-            .windows(2)
-            .filter_map(|pair| match pair {
-                [a, b] => Some(norm(std::array::from_fn(|i| b[i] - a[i]))),
-                _ => None,
-            })
-            .collect();
+        let distinct = distinct(points);
+        let chords = chords(&distinct);
         let slopes = slopes(&distinct, &chords, start, end)?;
-        let (first, mut knot) = (*distinct.first()?, 0.0);
+        Spline::along(&distinct, &chords, &slopes)
+    }
+
+    /// The same closed: it ends where it begins, and runs on there as everywhere.
+    ///
+    /// What an end makes of the slope at a point falls to a quarter or so from point to point, so the slopes of the points gone
+    /// through again and again are those of the closed curve but near both ends.
+    pub fn through_closed(points: &[Vector]) -> Option<Spline> {
+        let mut distinct = distinct(points);
+        if distinct.len() > 1 && distinct.first() == distinct.last() {
+            distinct.pop();
+        }
+        let count = distinct.len();
+        if count < 3 {
+            distinct.extend(distinct.first().copied());
+            return Spline::through(&distinct, None, None);
+        }
+        let before = FADED.next_multiple_of(count);
+        let again: Vec<Vector> = distinct.iter().cycle().take(before + count + FADED + 1).copied().collect();
+        let all = chords(&again);
+        let slopes = slopes(&again, &all, None, None)?;
+        let own = before..before + count;
+        Spline::along(
+            again.get(own.start..=own.end)?,
+            all.get(own.clone())?,
+            slopes.get(own.start..=own.end)?,
+        )
+    }
+
+    /// Through these points with these slopes, in chords so long.
+    fn along(points: &[Vector], chords: &[f64], slopes: &[Vector]) -> Option<Spline> {
+        let (first, mut knot) = (*points.first()?, 0.0);
         let (mut knots, mut control) = (vec![0.0; 4], vec![first]);
-        for ((pair, slope), chord) in distinct.windows(2).zip(slopes.windows(2)).zip(&chords) {
+        for ((pair, slope), chord) in points.windows(2).zip(slopes.windows(2)).zip(chords) {
             let ([a, b], [m, n]) = (pair, slope) else { return None };
             control.push(std::array::from_fn(|i| a[i] + m[i] * chord / 3.0));
             control.push(std::array::from_fn(|i| b[i] - n[i] * chord / 3.0));
@@ -241,6 +264,23 @@ fn off_chord(from: Point, to: Point, p: Point) -> f64 {
     distance([from[0] + v[0] * share, from[1] + v[1] * share], p)
 }
 
+/// The points without those that repeat the one before.
+fn distinct(points: &[Vector]) -> Vec<Vector> {
+    let mut distinct: Vec<Vector> = Vec::with_capacity(points.len());
+    for p in points {
+        if distinct.last() != Some(p) {
+            distinct.push(*p);
+        }
+    }
+    distinct
+}
+
+/// How far it is from each point to the next.
+fn chords(points: &[Vector]) -> Vec<f64> {
+    let between = |(a, b): (&Vector, &Vector)| norm(std::array::from_fn(|i| b[i] - a[i]));
+    points.iter().zip(points.iter().skip(1)).map(between).collect()
+}
+
 /// Slopes at the points of a cubic with continuous curvature (Thomas's algorithm on
 /// `h₁ m₀ + 2 (h₀ + h₁) m₁ + h₀ m₂ = 3 (h₁ s₀ + h₀ s₁)`, `h` the chords, `s` their slopes).
 fn slopes(
@@ -296,6 +336,7 @@ fn slopes(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::f64::consts::PI;
 
     fn curves(spline: &Spline) -> Vec<Curve> {
         let mut out = Vec::new();
@@ -353,6 +394,35 @@ mod tests {
         // Without curvature at the ends and symmetric about the middle (15, 0).
         let straight = Spline::through(&points[..2], None, None).unwrap();
         assert_eq!(curves(&straight), [Curve::line([0.0, 0.0], [10.0, 5.0])]);
+    }
+
+    #[test]
+    fn a_closed_curve_runs_on_where_it_begins() {
+        // Eight points of a circle, from any of them on, with the first once more or without.
+        let circle: Vec<Vector> = (0..8)
+            .map(|k| (f64::from(k) * PI / 4.0).sin_cos())
+            .map(|(s, c)| [10.0 * c, 10.0 * s, 0.0])
+            .collect();
+        let again: Vec<Vector> = circle.iter().chain(circle.first()).copied().collect();
+        for points in [&circle, &again] {
+            let spline = Spline::through_closed(points).unwrap();
+            let control = spline.points();
+            assert_eq!((control.len(), control[0]), (25, control[24]));
+            // The slope before the join is the one behind it, and across the radius.
+            let (behind, before) = (control[1], control[23]);
+            assert!(
+                (behind[0] - 10.0).abs() < 1e-9 && (before[0] - 10.0).abs() < 1e-9,
+                "{behind:?} {before:?}"
+            );
+            assert!((behind[1] + before[1]).abs() < 1e-9, "{behind:?} {before:?}");
+            let arcs = curves(&spline);
+            assert!(arcs.iter().all(|arc| (arc.at(0.5)[0].hypot(arc.at(0.5)[1]) - 10.0).abs() < 0.03));
+            assert_eq!(arcs.first().unwrap().from, arcs.last().unwrap().to);
+        }
+        // Two points are a line there and back.
+        let line = Spline::through_closed(&circle[..2]).unwrap();
+        assert_eq!(line.points().first(), line.points().last());
+        assert!(Spline::through_closed(&circle[..1]).is_none());
     }
 
     #[test]

@@ -336,7 +336,12 @@ fn convert(entity: &dxf::entities::Entity, record: Record, found: &mut File) -> 
             let given = |p: &dxf::Point| Some(point(p)).filter(|p| norm(*p) > 0.0);
             let spline = if spline.control_points.is_empty() {
                 let through: Vec<Vector> = spline.fit_points.iter().map(point).collect();
-                Spline::through(&through, given(&spline.start_tangent), given(&spline.end_tangent))
+                match spline.is_closed() {
+                    true => Spline::through_closed(&through),
+                    false => {
+                        Spline::through(&through, given(&spline.start_tangent), given(&spline.end_tangent))
+                    }
+                }
             } else {
                 let control = spline.control_points.iter().map(point).collect();
                 let degree = usize::try_from(spline.degree_of_curve).unwrap_or(0);
