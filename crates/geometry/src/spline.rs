@@ -398,7 +398,7 @@ mod tests {
 
     #[test]
     fn a_closed_curve_runs_on_where_it_begins() {
-        // Eight points of a circle, from any of them on, with the first once more or without.
+        // Eight points of a circle, without the first once more and with it.
         let circle: Vec<Vector> = (0..8)
             .map(|k| (f64::from(k) * PI / 4.0).sin_cos())
             .map(|(s, c)| [10.0 * c, 10.0 * s, 0.0])

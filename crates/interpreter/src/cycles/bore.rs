@@ -70,8 +70,8 @@ impl Interpreter {
     fn shift(&mut self, sense: f64) -> Fallible<()> {
         let (axis, direction) = self.rules.cycles.shift;
         let distance = self.cycle.q.filter(|q| *q > 0.0).unwrap_or(self.rules.cycles.default_shift);
-        if distance == 0.0 && !std::mem::replace(&mut self.cycle.is_told, true) {
-            self.tell(*self.alarm(Fault::NoShift, self.cycle_span()));
+        if distance == 0.0 {
+            self.tell_once(Fault::NoShift);
         }
         let mut to = self.location.machine;
         to[axis] += sense * direction * distance;

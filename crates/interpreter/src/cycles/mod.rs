@@ -183,7 +183,7 @@ pub(crate) struct CycleState {
     length: Option<Meaning>,
     /// The feed of a tapping that was told to be held, and the speed of its spindle.
     told: Option<(f64, Option<f64>)>,
-    /// Whether it was told that the cycle makes no holes, or does not move aside in them.
+    /// Whether something was told once for all holes ([`Interpreter::tell_once`]).
     is_told: bool,
     /// Scale factor of the tool axis, set aside while a block of the cycle runs.
     pub z_factor: Option<f64>,
@@ -487,12 +487,17 @@ impl Interpreter {
         match (self.cycle.r, self.cycle.z) {
             (Some(r), Some(z)) => Ok(Some((r, z))),
             _ => {
-                if !std::mem::replace(&mut self.cycle.is_told, true) {
-                    self.tell(*self.alarm(Fault::NoHole, self.cycle_span()));
-                }
+                self.tell_once(Fault::NoHole);
                 self.position_over_hole()?;
                 Ok(None)
             }
+        }
+    }
+
+    /// Tells what is wrong with the cycle, once until it is programmed again.
+    fn tell_once(&mut self, fault: Fault) {
+        if !std::mem::replace(&mut self.cycle.is_told, true) {
+            self.tell(*self.alarm(fault, self.cycle_span()));
         }
     }
 

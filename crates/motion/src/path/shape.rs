@@ -91,7 +91,8 @@ impl Cubic {
     }
 
     /// Its derivatives at `s`.
-    fn derivatives<const N: usize>(&self, s: f64) -> [[f64; N]; 3] {
+    #[inline]
+    pub fn derivatives<const N: usize>(&self, s: f64) -> [[f64; N]; 3] {
         let [_, c1, c2, c3] = &self.c;
         [
             std::array::from_fn(|i| c1.0[i] + s * (2.0 * c2.0[i] + s * 3.0 * c3.0[i])),

@@ -158,9 +158,6 @@ struct Step {
     rising: State,
     falling: State,
     from: State,
-    /// State in its middle on both ramps; the one down is mirrored.
-    up_middle: State,
-    down_middle: State,
     /// Whether its bounds are other than in the last pass that went over it.
     is_new: bool,
 }
@@ -642,16 +639,14 @@ impl Grid {
         for i in 0..n {
             let step = &mut steps[i];
             step.rising = rising;
-            let [middle, end] = step.climb(&mut known[i].up, step.up[1], rising);
-            (step.up_middle, rising) = (middle, end);
+            [_, rising] = step.climb(&mut known[i].up, step.up[1], rising);
             let k = n - 1 - i;
             let step = &mut steps[k];
-            let [middle, end] = step.climb(&mut known[k].down, step.down[0], falling);
-            (step.down_middle, falling) = (middle, end);
-            step.falling = State { v: end.v, a: -end.a };
+            [_, falling] = step.climb(&mut known[k].down, step.down[0], falling);
+            step.falling = State { v: falling.v, a: -falling.a };
         }
-        for step in steps {
-            let (up, down) = (step.up_middle, step.down_middle);
+        for (step, known) in steps.iter_mut().zip(known) {
+            let ([up, _], [down, _]) = (known.up.to, known.down.to);
             let (high, low) = (up.v * up.v, down.v * down.v);
             (step.x, step.slope, step.by) = if low < high {
                 (low, -down.a, By::Down)

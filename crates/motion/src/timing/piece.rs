@@ -13,7 +13,7 @@
 //! The last line gives the duration `T`. Where the jerk is constant `k` is 0.
 
 use crate::limits::Load;
-use crate::quick::{cube_root, larger};
+use crate::quick::cube_root;
 
 /// How far a piece may be above a bound by rounding.
 pub(crate) const ROUNDING: f64 = 1.0 + 1e-4;
@@ -164,6 +164,7 @@ impl Piece {
     }
 
     /// Place on the path, speed and acceleration, and jerk after `t`.
+    #[inline]
     pub fn state(&self, t: f64) -> (f64, State, f64) {
         let (s, v) = self.at(t);
         (s, State { v, a: self.from.a + t * (self.j + 0.5 * t * self.k) }, self.j + t * self.k)
@@ -172,15 +173,11 @@ impl Piece {
     /// The same at [`PLACES`] times, equally far apart, from its begin to its end.
     #[inline(always)]
     pub fn places(&self) -> Places {
-        let State { v, a } = self.from;
         let step = self.time / (PLACES - 1) as f64;
         let mut at = Places::default();
         for i in 0..PLACES {
-            let t = i as f64 * step;
-            at.s[i] = self.s + t * (v + t * (a / 2.0 + t * (self.j / 6.0 + t * self.k / 24.0)));
-            at.v[i] = larger(0.0, v + t * (a + t * (self.j / 2.0 + t * self.k / 6.0)));
-            at.a[i] = a + t * (self.j + 0.5 * t * self.k);
-            at.j[i] = self.j + t * self.k;
+            let (s, State { v, a }, j) = self.state(i as f64 * step);
+            (at.s[i], at.v[i], at.a[i], at.j[i]) = (s, v, a, j);
         }
         at
     }

@@ -68,41 +68,41 @@ impl Cell {
 
     /// `q′`, `q″` and `q‴` of the `N` axes in front there, in the direction that it is run in.
     pub fn derivatives<const N: usize>(&self, s: f64, len: f64) -> [[f64; N]; 3] {
-        if !self.is_back {
-            return self.shape.derivatives(s);
-        }
-        let [first, second, third] = self.shape.derivatives(len - s);
-        [first.map(|c| -c), second, third.map(|c| -c)]
+        self.as_run(s, len, |s| self.shape.derivatives(s))
     }
 
     /// The same of every axis at several places.
     #[inline(always)]
     pub fn derivatives_at<const N: usize>(&self, s: &[f64; PLACES], len: f64) -> [[[f64; PLACES]; N]; 3] {
-        let mut at = [[[0.0; PLACES]; N]; 3];
-        let Shape::Cubic(cubic) = &self.shape else {
-            for k in 0..PLACES {
-                for (at, derivatives) in at.iter_mut().zip(self.derivatives::<N>(s[k], len)) {
-                    for i in 0..N {
-                        at[i][k] = derivatives[i];
-                    }
-                }
-            }
-            return at;
-        };
-        // All places at once.
-        let (s, sign) = if self.is_back { (s.map(|s| len - s), -1.0) } else { (*s, 1.0) };
-        let [_, c1, c2, c3] = &cubic.c;
-        let [first, second, third] = &mut at;
-        for i in 0..N {
-            let (c1, c2, c3) = (c1.0[i], 2.0 * c2.0[i], 6.0 * c3.0[i]);
-            for k in 0..PLACES {
-                first[i][k] = sign * (c1 + s[k] * (c2 + s[k] * (0.5 * c3)));
-                second[i][k] = c2 + s[k] * c3;
-                third[i][k] = sign * c3;
-            }
+        match &self.shape {
+            // Where the shape is known before, all places are worked out at once.
+            Shape::Cubic(cubic) => at_all(s, |s| self.as_run(s, len, |s| cubic.derivatives(s))),
+            _ => at_all(s, |s| self.derivatives(s, len)),
         }
-        at
     }
+
+    /// Derivatives at a length, from those `of` the shape, in the direction that it is run in.
+    #[inline(always)]
+    fn as_run<const N: usize>(&self, s: f64, len: f64, of: impl Fn(f64) -> [[f64; N]; 3]) -> [[f64; N]; 3] {
+        if !self.is_back {
+            return of(s);
+        }
+        let [first, second, third] = of(len - s);
+        [first.map(|c| -c), second, third.map(|c| -c)]
+    }
+}
+
+/// What `of` finds at each of these places, place by place behind one another.
+#[inline(always)]
+fn at_all<const N: usize>(s: &[f64; PLACES], of: impl Fn(f64) -> [[f64; N]; 3]) -> [[[f64; PLACES]; N]; 3] {
+    let mut at = [[[0.0; PLACES]; N]; 3];
+    for k in 0..PLACES {
+        let [first, second, third] = of(s[k]);
+        for i in 0..N {
+            (at[0][i][k], at[1][i][k], at[2][i][k]) = (first[i], second[i], third[i]);
+        }
+    }
+    at
 }
 
 /// X, Y and Z stand where they go less than this for a millimetre or degree of programmed length: what rounding, or a corner

@@ -312,14 +312,14 @@ impl Valley {
             cell = road.cell(cell, s);
             let derivatives = road.derivatives(cell, s);
             let norm = |d: &[f64; N]| d.iter().map(|c| c * c).sum::<f64>().sqrt();
-            let turn = norm(&derivatives[1]) / norm(&derivatives[0]).max(1e-9);
-            let mut h = TAU * speed(plan, k, s);
+            let turn = (norm(&derivatives[1]) / norm(&derivatives[0]).max(1e-9)).max(1e-9);
+            let v = speed(plan, k, s);
+            let mut h = TAU * v;
             h = h.min(TAU * speed(plan, k, (s + h).min(end)).max(0.3 * h / TAU));
             let inverse = road.inverses.of(road.queue.node(cell).class);
             let is_free = inverse.is_free_of_jerk(&derivatives[0]);
-            let least =
-                if is_free { 0.0 } else { (LEAST_TAU * speed(plan, k, s)).min(MOST_TURN / turn.max(1e-9)) };
-            h = h.min((TURN / turn.max(1e-9)).max(least)).max(1e-6);
+            let least = if is_free { 0.0 } else { (LEAST_TAU * v).min(MOST_TURN / turn) };
+            h = h.min((TURN / turn).max(least)).max(1e-6);
             // It ends where the path changes, if that is about there, and does not reach over a jump.
             let (mut to, mut next) = (s + h, cell);
             while next + 1 < road.queue.tail() && road.queue.node(next).end() <= s + 1.3 * h {
