@@ -32,6 +32,10 @@ use std::ops::Range;
 /// Length of steps in time, s.
 const TAU: f64 = 0.004;
 
+/// Cells that are run in so much less time are one step: where the path turns they are many, and what is lost by taking the
+/// lowest of their bounds is found again in the valley there ([`crate::timing::valley`]).
+const BRIEF: f64 = 1.5 * TAU;
+
 /// The first step from rest at least, where the jerk is not limited, s.
 const FIRST: f64 = TAU / 16.0;
 
@@ -296,7 +300,13 @@ impl Grid {
         let inner = self.steps.get(..self.steps.len().saturating_sub(1))?;
         // One that others follow leaves room for another division into steps.
         let run = inner.windows(RUN).rposition(|steps| steps.iter().all(Step::is_at_cap));
-        let k = run.filter(|k| *k > 0).or_else(|| inner.iter().rposition(Step::is_at_cap))?;
+        let last = || {
+            let last = inner.iter().rposition(Step::is_at_cap)?;
+            // On the floor of a turn the path is slowed down before its middle, and speeds up behind.
+            let floor = inner[..last].iter().rev().take_while(|step| step.is_at_cap()).count();
+            Some(last - floor / 2)
+        };
+        let k = run.filter(|k| *k > 0).or_else(last)?;
         let step = &self.steps[k];
         (k > 0).then_some((k, step.cell, Port { s: step.s, state: step.from }))
     }
@@ -364,6 +374,31 @@ impl Grid {
         (farthest, least)
     }
 
+    /// The same of cells that are run in [`BRIEF`] all together; the section begins at the length `from`.
+    fn brief(
+        &self,
+        queue: &Queue,
+        [first, cell, last]: [u64; 3],
+        from: f64,
+        cap: &impl Fn(&Node) -> f64,
+    ) -> (u64, f64) {
+        let begin = queue.node(cell).s.max(from);
+        let (mut farthest, mut least) = (cell, cap(queue.node(cell)));
+        let end_of = |cell: u64| self.ends[(cell - first) as usize];
+        let mut slowest = least.min(end_of(cell)).min(end_of(cell + 1));
+        while farthest < last {
+            let [node, next] = [queue.node(farthest), queue.node(farthest + 1)];
+            let there = cap(next);
+            slowest = slowest.min(there).min(end_of(farthest + 2));
+            let is_path = node.pass == Pass::Path && next.pass == Pass::Path;
+            if !is_path || next.end() - begin > BRIEF * slowest {
+                break;
+            }
+            (farthest, least) = (farthest + 1, least.min(there));
+        }
+        (farthest, least)
+    }
+
     /// Sets the steps. Where the speed is a cap that goes on over many cells, so do steps.
     fn place(&mut self, queue: &Queue, from: Port, first: u64, last: u64, cap: &impl Fn(&Node) -> f64) {
         self.steps.clear();
@@ -372,7 +407,13 @@ impl Grid {
         let mut next = first;
         'cells: while next <= last {
             let mut cell = next;
-            let (farthest, here) = self.alike(queue, [first, cell, last], from.state.v, cap);
+            let mut ahead = self.alike(queue, [first, cell, last], from.state.v, cap);
+            let is_alike = ahead.0 > cell;
+            if !is_alike {
+                ahead = self.brief(queue, [first, cell, last], from.s, cap);
+            }
+            let (farthest, here) = ahead;
+            let is_brief = !is_alike && farthest > cell;
             next = farthest + 1;
             let (left_node, right_node) = (queue.node(cell), queue.node(farthest));
             let (begin, end) = (left_node.s.max(from.s), right_node.end().min(self.to.s));
@@ -440,12 +481,14 @@ impl Grid {
                 }
                 // Of many cells, to the end of one.
                 let mut reached = cell;
-                while reached < farthest && now >= here && queue.node(reached + 1).end() <= s + h {
+                while reached < farthest
+                    && (is_brief || now >= here && queue.node(reached + 1).end() <= s + h)
+                {
                     reached += 1;
                 }
                 let stop = queue.node(reached).end().min(end);
                 let left = stop - s;
-                if left < 1.5 * h {
+                if is_brief || left < 1.5 * h {
                     h = left;
                 } else if left < 2.5 * h {
                     h = 0.5 * left;

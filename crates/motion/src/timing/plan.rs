@@ -66,6 +66,12 @@ const SLOW_CORNERS: usize = 16;
 /// How often a plan from rest is tried with slower corners.
 const ROUNDS: i32 = 8;
 
+/// So many new cells are worth a plan: few, but many where [`AHEAD`] stretches before the path are final. Every plan ends at rest
+/// where no more is known, and most of what it has there is planned again.
+const FEW_CELLS: u64 = 64;
+const AHEAD: usize = 300;
+const MANY_CELLS: u64 = 800;
+
 /// A stretch of the plan.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Stretch {
@@ -229,9 +235,11 @@ impl Plan {
     /// Whether so much is new that planning it is worth while, and not enough is final already.
     pub fn is_due(&self, queue: &Queue) -> bool {
         let new = queue.tail() - self.planned;
-        let has_enough = self.fixed >= self.current + ENOUGH;
+        let ahead = self.fixed.saturating_sub(self.current);
+        let has_enough = ahead >= ENOUGH;
         let again = self.planned.saturating_sub(self.next.cell);
-        let is_much = new >= 64 && new >= again;
+        let least = if ahead >= AHEAD { MANY_CELLS } else { FEW_CELLS };
+        let is_much = new >= least.max(again);
         // What ends at rest is all there is for now: the sooner it is known, the more can be done for it.
         let is_last = new > 0 && new >= again / 8 && queue.node(queue.tail() - 1).rests;
         self.patience == 0 && !has_enough && (is_much || is_last)
