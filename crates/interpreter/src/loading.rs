@@ -10,7 +10,7 @@ use crate::flow::Flow;
 use crate::interpreter::Interpreter;
 use crate::modal::Group;
 use crate::output::Output;
-use crate::stages::work_offset::WorkSystem;
+use crate::stages::work_offset::{System, WorkSystem};
 use ferrocut_geometry::Position;
 use ferrocut_machine::{Alarm, Memory, WorkOffset};
 use ferrocut_program::{FileId, ProgramMemory};
@@ -163,11 +163,26 @@ impl Interpreter {
         self.variable_writes
     }
 
-    /// The work coordinate system in force, as the program calls it.
+    /// The work coordinate system in force, as the program calls it; where G92 made one of its own, the one that is in force
+    /// behind it.
     pub fn work_system(&self) -> Option<WorkOffset> {
         match self.dialect.blocks {
             Some(_) => Some(self.ngc_system_name()),
-            None => self.location.system(),
+            None => self.location.system().or_else(|| self.system_behind_own()),
+        }
+    }
+
+    /// Machine position of the zero of the system that G92 made of its own, if it is in force (GSK990MC 4.2.11).
+    pub fn own_zero(&self) -> Option<Position> {
+        let WorkSystem { system, shift, .. } = self.location.work;
+        (self.has_own_systems() && system == System::Floating).then_some(shift)
+    }
+
+    /// The system that G92 had made before power went off (GSK990MC 4.2.8, 3).
+    pub fn take_up_own_zero(&mut self, zero: Position) {
+        if self.has_own_systems() {
+            self.location.work = WorkSystem { shift: zero, ..WorkSystem::at_machine_zero() };
+            self.location.take_machine();
         }
     }
 

@@ -6,7 +6,7 @@ use crate::coordinates::SetPosition;
 use crate::dialect::Meaning;
 use crate::interpreter::Interpreter;
 use crate::modal::Group;
-use crate::stages::work_offset::{System, WorkSystem};
+use crate::stages::work_offset::WorkSystem;
 use ferrocut_geometry::AxisSet;
 use ferrocut_machine::{Fault, WorkOffset};
 
@@ -40,15 +40,27 @@ impl Interpreter {
     /// Axes were homed by hand: a system that G92 made of its own is lost, that of the table is in force again
     /// (GSK990MC part 2, 4.1.5 note 3).
     pub fn homed_by_hand(&mut self) {
-        let is_own = self.rules.coordinates.set_position == SetPosition::OwnSystem;
-        let Meaning::WorkOffset(number) = self.modal.meaning(Group::WorkOffset) else { return };
-        if !is_own || self.location.work.system != System::Floating {
+        if self.own_zero().is_none() {
             return;
         }
         let before = WorkSystem::at_machine_zero();
-        if let Some(system) = WorkSystem::select(WorkOffset::Standard(number), &self.memory.work, &before) {
+        let behind = self.system_behind_own();
+        if let Some(system) = behind.and_then(|name| WorkSystem::select(name, &self.memory.work, &before)) {
             self.location.work = system;
             self.location.take_machine();
+        }
+    }
+
+    /// Whether G92 makes a system of its own.
+    pub(crate) fn has_own_systems(&self) -> bool {
+        self.rules.coordinates.set_position == SetPosition::OwnSystem
+    }
+
+    /// The system of the table that is in force again where one that G92 made is lost.
+    pub(crate) fn system_behind_own(&self) -> Option<WorkOffset> {
+        match self.modal.meaning(Group::WorkOffset) {
+            Meaning::WorkOffset(number) if self.has_own_systems() => Some(WorkOffset::Standard(number)),
+            _ => None,
         }
     }
 

@@ -25,7 +25,7 @@ use crate::rights;
 use crate::rows;
 use crate::snapshot::sync_folder;
 use crate::store::{Reader, Store};
-use crate::table::{Cell, FileSum, Kind, Row, Table};
+use crate::table::{Cell, FileSum, Kind, Row, TABLES, Table};
 use serde::de::{DeserializeSeed, Deserializer, MapAccess, SeqAccess, Visitor};
 use serde::{Deserialize, Serialize};
 use std::cmp::Ordering;
@@ -43,8 +43,17 @@ const FRAME: u64 = 4096;
 /// Longest row, bytes: a program in hexadecimal digits, and what stands beside it.
 const ROW: u64 = 2 * limits::PROGRAM as u64 + (64 << 10);
 
-/// More cells than any table has.
-const CELLS: usize = 16;
+/// Most cells of a row: those of the widest table, and the name of the item.
+const CELLS: usize = {
+    let (mut most, mut k) = (0, 0);
+    while k < TABLES.len() {
+        if TABLES[k].columns.len() > most {
+            most = TABLES[k].columns.len();
+        }
+        k += 1;
+    }
+    most + 1
+};
 
 /// First line.
 #[derive(Serialize, Deserialize)]
@@ -371,7 +380,8 @@ fn row_of(line: &[u8]) -> Option<(Item, Row)> {
     let Some(Cell::Text(name)) = cells.next() else { return None };
     let item = rows::item(&name)?;
     let table = rows::table(item);
-    let row: Row = cells
+    let row: Row = rows::of_today(item, cells.collect())
+        .into_iter()
         .zip(table.columns)
         .map(|(cell, (_, kind))| match (cell, kind) {
             // A number that happens to be whole.
@@ -608,5 +618,22 @@ fn restore(
     match now == sum {
         true => Ok(()),
         false => Err(Error::BackupDamaged(0)),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+    use super::*;
+
+    #[test]
+    fn rows_of_older_backups_are_taken() {
+        let (item, row) = row_of(br#"["last_position",1,9,5,"G55",1,2,3,4,5,6,7,8,9.5]"#).unwrap();
+        assert!(rows::is_valid(item, &row));
+        let last = rows::last_position(&row).unwrap();
+        assert_eq!((last.position.0[0], last.position.0[8], last.own_zero), (1.0, 9.5, None));
+        let (item, row) = row_of(br#"["interrupted",1,9,"O1",1,"O2",3,12,"G1 X1"]"#).unwrap();
+        assert!(rows::is_valid(item, &row));
+        assert_eq!(rows::interrupted(&row).unwrap().at, None);
     }
 }

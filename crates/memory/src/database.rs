@@ -16,7 +16,7 @@ use std::path::Path;
 const APPLICATION: i32 = 0x4643_5554;
 
 /// The version of today's schema.
-pub const SCHEMA: u32 = 4;
+pub const SCHEMA: u32 = 5;
 
 /// Row of `total` that counts commits.
 const COMMITS: &str = "commits";

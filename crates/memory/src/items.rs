@@ -301,8 +301,11 @@ pub struct LastPosition {
     pub position: Position,
     /// The axes whose position was known (homed).
     pub referenced: AxisSet,
-    /// The work coordinate system in force, which power-on shows again (GSK990MC 4.2.9).
+    /// The work coordinate system in force, which power-on shows again (GSK990MC 4.2.8, 3); where G92 made one of its own, the
+    /// one that follows it.
     pub work_system: Option<WorkOffset>,
+    /// The zero of the one that G92 made, mm and degrees.
+    pub own_zero: Option<Position>,
 }
 
 /// The block at which a run was broken off, or of a run that is under way the one that was told last.

@@ -6,11 +6,11 @@
 
 use crate::database::{Access, Database, SCHEMA};
 use crate::error::Error;
-use crate::rows::interrupted_without_place;
+use crate::rows::{interrupted_without_place, last_position_without_zero};
 use crate::snapshot;
 use crate::table::{
-    ABOUT, ALARM, COUNTER, INTERRUPTED, Kind, LAST_POSITION, LOG, PARAMETER, PASSWORD, PITCH, PROGRAM,
-    REFERENCE_POINT, Row, SIGNAL, TABLES, TOOL_OFFSET, TOTAL, TRIES, Table, VARIABLE, WORK_ZERO,
+    ABOUT, ALARM, COUNTER, INTERRUPTED, Kind, LADDER, LAST_POSITION, LOG, PARAMETER, PASSWORD, PITCH,
+    PROGRAM, REFERENCE_POINT, Row, SIGNAL, TABLES, TOOL_OFFSET, TOTAL, TRIES, Table, VARIABLE, WORK_ZERO,
 };
 use std::path::Path;
 
@@ -40,7 +40,7 @@ const FIRST: &[Table] = &[
     COUNTER,
     ALARM,
     LOG,
-    LAST_POSITION,
+    FOURTH_LAST_POSITION,
     PASSWORD,
     TRIES,
 ];
@@ -76,7 +76,7 @@ const SECOND: &[Table] = &[
     COUNTER,
     ALARM,
     LOG,
-    LAST_POSITION,
+    FOURTH_LAST_POSITION,
     SECOND_INTERRUPTED,
     PASSWORD,
     TRIES,
@@ -97,8 +97,51 @@ const THIRD: &[Table] = &[
     COUNTER,
     ALARM,
     LOG,
-    LAST_POSITION,
+    FOURTH_LAST_POSITION,
     INTERRUPTED,
+    PASSWORD,
+    TRIES,
+];
+
+/// Where the axes stood, up to version 4: without the zero of G92.
+const FOURTH_LAST_POSITION: Table = Table {
+    name: "last_position",
+    keys: 1,
+    columns: &[
+        ("number", Kind::Whole),
+        ("time", Kind::Whole),
+        ("referenced", Kind::Whole),
+        ("work_system", Kind::Text),
+        ("x", Kind::Real),
+        ("y", Kind::Real),
+        ("z", Kind::Real),
+        ("a", Kind::Real),
+        ("b", Kind::Real),
+        ("c", Kind::Real),
+        ("u", Kind::Real),
+        ("v", Kind::Real),
+        ("w", Kind::Real),
+    ],
+};
+
+/// The tables of version 4.
+const FOURTH: &[Table] = &[
+    ABOUT,
+    TOTAL,
+    PROGRAM,
+    PARAMETER,
+    TOOL_OFFSET,
+    WORK_ZERO,
+    REFERENCE_POINT,
+    VARIABLE,
+    PITCH,
+    SIGNAL,
+    COUNTER,
+    ALARM,
+    LOG,
+    FOURTH_LAST_POSITION,
+    INTERRUPTED,
+    LADDER,
     PASSWORD,
     TRIES,
 ];
@@ -106,6 +149,12 @@ const THIRD: &[Table] = &[
 /// A row of version 2 as one of version 3.
 fn with_place(table: &str, row: Row) -> Option<(&'static str, Row)> {
     let row = if table == INTERRUPTED.name { interrupted_without_place(row) } else { row };
+    as_it_is(table, row)
+}
+
+/// A row of version 4 as one of version 5.
+fn with_zero(table: &str, row: Row) -> Option<(&'static str, Row)> {
+    let row = if table == LAST_POSITION.name { last_position_without_zero(row) } else { row };
     as_it_is(table, row)
 }
 
@@ -119,6 +168,7 @@ const STEPS: &[Step] = &[
     Step { from: 1, tables: FIRST, row: as_it_is },
     Step { from: 2, tables: SECOND, row: with_place },
     Step { from: 3, tables: THIRD, row: as_it_is },
+    Step { from: 4, tables: FOURTH, row: with_zero },
 ];
 
 /// The tables of a version; none of one that is not known.
@@ -158,7 +208,7 @@ fn migrate_by(steps: &[Step], folder: &Path, path: &Path, from: u32, snapshots: 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::table::{Cell, LADDER};
+    use crate::table::Cell;
 
     /// A version before the first, for the test alone: variables had no names but numbers.
     const OLD_VARIABLE: Table =
@@ -236,6 +286,28 @@ mod tests {
         let row = database.get(&INTERRUPTED, &[1i64.into()]).unwrap().unwrap();
         let run = crate::rows::interrupted(&row).unwrap();
         assert_eq!((run.block, run.text.as_str(), run.at), (12, "G81 X1 K5", None));
+    }
+
+    #[test]
+    fn where_the_axes_stood_in_an_older_version_has_no_zero_of_g92() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("memory.db");
+        Database::create_as(&path, "gsk990mc", 4, FOURTH).unwrap();
+        let mut row: Row = vec![1i64.into(), 9i64.into(), 5i64.into(), "G55".into()];
+        row.extend((1..=9).map(|k| Cell::from(f64::from(k))));
+        {
+            let mut database = Database::open(&path, Access::Write).unwrap();
+            database.begin().unwrap();
+            database.put(&FOURTH_LAST_POSITION, &row).unwrap();
+            database.commit().unwrap();
+        }
+        migrate(folder.path(), &path, 4, 3).unwrap();
+        assert_eq!(Database::verify(&path, Access::Read, tables_of).unwrap().schema, SCHEMA);
+        let database = Database::open(&path, Access::Read).unwrap();
+        let row = database.get(&LAST_POSITION, &[1i64.into()]).unwrap().unwrap();
+        let last = crate::rows::last_position(&row).unwrap();
+        assert_eq!(last.position.0, [1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0]);
+        assert_eq!((last.work_system.map(|s| s.to_string()).as_deref(), last.own_zero), (Some("G55"), None));
     }
 
     #[test]

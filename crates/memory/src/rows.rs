@@ -71,6 +71,22 @@ fn position_cells(position: &Position) -> impl Iterator<Item = Cell> {
     position.0.into_iter().map(Cell::from)
 }
 
+/// Cells of a position that may not be known.
+const PLACE_CELLS: usize = 1 + Axis::ALL.len();
+
+/// Such a position, and whether it is known.
+fn place_cells(place: Option<&Position>) -> impl Iterator<Item = Cell> {
+    let position = place.copied().unwrap_or_default();
+    [u8::from(place.is_some()).into()].into_iter().chain(position.0.map(Cell::from))
+}
+
+/// The place in such cells.
+fn place(cells: &[Cell]) -> Option<Option<Position>> {
+    let [Cell::Whole(is_known @ (0 | 1)), axes @ ..] = cells else { return None };
+    let position = position(axes)?;
+    Some((*is_known == 1).then_some(position))
+}
+
 fn position(cells: &[Cell]) -> Option<Position> {
     let mut position = Position::ZERO;
     for axis in Axis::ALL {
@@ -368,15 +384,27 @@ pub fn last_position_row(last: &LastPosition) -> Row {
     let referenced = last.referenced.iter().map(|axis| 1i64 << axis.index()).sum::<i64>();
     let system = last.work_system.map(|system| system.to_string()).unwrap_or_default();
     let named: [Cell; 4] = [1u8.into(), last.time.into(), referenced.into(), system.into()];
-    named.into_iter().chain(position_cells(&last.position)).collect()
+    named
+        .into_iter()
+        .chain(place_cells(last.own_zero.as_ref()))
+        .chain(position_cells(&last.position))
+        .collect()
+}
+
+/// The last position of version 4 of the schema, which knew no zero of G92, as one of today.
+pub fn last_position_without_zero(mut row: Row) -> Row {
+    let position = row.len().saturating_sub(Axis::ALL.len());
+    row.splice(position..position, place_cells(None));
+    row
 }
 
 /// The last position of a row.
 pub fn last_position(row: &[Cell]) -> Option<LastPosition> {
-    let [Cell::Whole(1), Cell::Whole(time), Cell::Whole(referenced), Cell::Text(system), axes @ ..] = row
+    let [Cell::Whole(1), Cell::Whole(time), Cell::Whole(referenced), Cell::Text(system), rest @ ..] = row
     else {
         return None;
     };
+    let (zero, axes) = rest.split_at_checked(PLACE_CELLS)?;
     let referenced = u16::try_from(*referenced).ok().filter(|bits| *bits < 1 << Axis::ALL.len())?;
     let work_system = match system.as_str() {
         "" => None,
@@ -387,7 +415,18 @@ pub fn last_position(row: &[Cell]) -> Option<LastPosition> {
         position: position(axes)?,
         referenced: AxisSet::from_bits(referenced),
         work_system,
+        own_zero: place(zero)?,
     })
+}
+
+/// A row of an item as it is today, of one that an older version wrote.
+pub fn of_today(item: Item, row: Row) -> Row {
+    let is_older = row.len() + PLACE_CELLS == table(item).columns.len();
+    match item {
+        Item::LastPosition if is_older => last_position_without_zero(row),
+        Item::Interrupted if is_older => interrupted_without_place(row),
+        _ => row,
+    }
 }
 
 /// The key of the one row of an interrupted run.
@@ -395,7 +434,7 @@ pub const INTERRUPTED_KEY: u8 = 1;
 
 /// An interrupted run as a row.
 pub fn interrupted_row(run: &InterruptedRun) -> Row {
-    let run_cells: [Cell; 9] = [
+    let run_cells: [Cell; 8] = [
         INTERRUPTED_KEY.into(),
         run.time.into(),
         cut(&run.program).into(),
@@ -404,15 +443,13 @@ pub fn interrupted_row(run: &InterruptedRun) -> Row {
         i64::from(run.line).into(),
         i64::try_from(run.block).unwrap_or(i64::MAX).into(),
         cut(&run.text).into(),
-        u8::from(run.at.is_some()).into(),
     ];
-    run_cells.into_iter().chain(position_cells(&run.at.unwrap_or_default())).collect()
+    run_cells.into_iter().chain(place_cells(run.at.as_ref())).collect()
 }
 
 /// A row of an interrupted run of version 2 of the schema, which knew no place, as one of today.
 pub fn interrupted_without_place(mut row: Row) -> Row {
-    row.push(0u8.into());
-    row.extend(position_cells(&Position::ZERO));
+    row.extend(place_cells(None));
     row
 }
 
@@ -427,13 +464,12 @@ pub fn interrupted(row: &[Cell]) -> Option<InterruptedRun> {
         Cell::Whole(line),
         Cell::Whole(block),
         Cell::Text(text),
-        Cell::Whole(has_place @ (0 | 1)),
-        axes @ ..,
+        at @ ..,
     ] = row
     else {
         return None;
     };
-    let at = position(axes)?;
+    let at = place(at)?;
     let is_short = [program, file, text].iter().all(|text| text.len() <= limits::TEXT);
     is_short.then_some(())?;
     Some(InterruptedRun {
@@ -444,7 +480,7 @@ pub fn interrupted(row: &[Cell]) -> Option<InterruptedRun> {
         line: u32::try_from(*line).ok()?,
         block: u64::try_from(*block).ok()?,
         text: text.clone(),
-        at: (*has_place == 1).then_some(at),
+        at,
     })
 }
 

@@ -218,7 +218,17 @@ pub const LAST_POSITION: Table = Table {
         ("number", Whole),
         ("time", Whole),
         ("referenced", Whole),
-        ("work_system", Text)
+        ("work_system", Text),
+        ("has_zero", Whole),
+        ("zero_x", Real),
+        ("zero_y", Real),
+        ("zero_z", Real),
+        ("zero_a", Real),
+        ("zero_b", Real),
+        ("zero_c", Real),
+        ("zero_u", Real),
+        ("zero_v", Real),
+        ("zero_w", Real)
     ],
 };
 

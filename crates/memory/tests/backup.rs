@@ -6,7 +6,9 @@ mod common;
 use common::{CONTROL, all, key, number, open, owner, parameter, program, something, variable};
 use ferrocut_geometry::Position;
 use ferrocut_machine::WorkOffset;
-use ferrocut_memory::{Author, Backup, Change, Error, Item, LastPosition, Level, Session, Settings, Store};
+use ferrocut_memory::{
+    Author, Backup, Change, Error, InterruptedRun, Item, LastPosition, Level, Session, Settings, Store,
+};
 use std::fs;
 use tempfile::tempdir;
 
@@ -23,8 +25,20 @@ fn all_goes_into_one_file_and_back() {
         position: Position::xyz(1.0, 2.0, 3.0),
         referenced: Default::default(),
         work_system: None,
+        own_zero: Some(Position::xyz(0.5, -2.0, 1e-3)),
     };
-    store.commit(&owner(), vec![binary, Change::LastPosition(last)]).unwrap();
+    let run = InterruptedRun {
+        time: 2,
+        program: "O1".into(),
+        from_line: 1,
+        file: "O1".into(),
+        line: 3,
+        block: 4,
+        text: "G1 X1".into(),
+        at: Some(Position::xyz(4.0, 5.0, 6.0)),
+    };
+    let changes = vec![binary, Change::LastPosition(last), Change::Interrupted(Some(run))];
+    store.commit(&owner(), changes).unwrap();
     store.set_password(&owner(), Level::Maker, "correct horse", ferrocut_memory::Seat::Machine).unwrap();
     let before = all(&store);
     let entries = store.reader().back_up(&file, &Item::ALL).unwrap();
@@ -40,10 +54,13 @@ fn all_goes_into_one_file_and_back() {
     let told = after.log.remove(0);
     assert_eq!((told.name.as_str(), told.from.as_str()), ("restored", file.to_str().unwrap()));
     after.last_position = before.last_position.clone();
+    after.interrupted = before.interrupted.clone();
     assert!(after == before);
     assert_eq!(other.reader().levels_with_password().unwrap(), []);
-    backup.restore(&other, &owner(), &[Item::LastPosition]).unwrap();
-    assert_eq!(all(&other).last_position, before.last_position);
+    backup.restore(&other, &owner(), &[Item::LastPosition, Item::Interrupted]).unwrap();
+    let restored = all(&other);
+    assert_eq!(restored.last_position, before.last_position);
+    assert_eq!(restored.interrupted, before.interrupted);
 }
 
 /// A link stays a link, and what is no regular file is left alone.

@@ -31,6 +31,7 @@ fn everything_is_there_after_power_off() {
         position: Position::xyz(1.0, 2.0, 3.0),
         referenced: [Axis::X, Axis::Z].into_iter().collect::<AxisSet>(),
         work_system: Some(WorkOffset::Additional(2)),
+        own_zero: Some(Position::xyz(-0.1, 7.25, 1.0 / 3.0)),
     };
     let alarm = Alarm::core(Fault::SoftLimit, Span::default()).with("axis", "X").with("limit", 500.0);
     let alarm = AlarmEntry::of(&alarm, "O1234", 7);

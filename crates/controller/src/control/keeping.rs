@@ -323,6 +323,7 @@ impl Control {
             position: self.tick.position,
             referenced: referenced.iter().filter(|axis| !on_their_way.contains(*axis)).collect(),
             work_system: self.cnc.interpreter().work_system(),
+            own_zero: self.cnc.interpreter().own_zero(),
         }
     }
 

@@ -203,7 +203,7 @@ impl Control {
         let mut counters = status::Count::default();
         let mut start = Position::ZERO;
         let mut referenced = None;
-        let mut work_system = None;
+        let (mut work_system, mut own_zero) = (None, None);
         let mut interrupted = None;
         let mut pitch = machine_data::Pitch::new();
         let keeping = match parts.store {
@@ -216,7 +216,7 @@ impl Control {
                 if let Some(last) = found.position {
                     start = last.position;
                     referenced = Some(last.referenced);
-                    work_system = last.work_system;
+                    (work_system, own_zero) = (last.work_system, last.own_zero);
                 }
                 Some(keeping)
             }
@@ -240,6 +240,9 @@ impl Control {
         let mut interpreter = Interpreter::new(dialect, programs, memory, options);
         if let Some(system) = work_system {
             interpreter.take_up_work_system(system);
+        }
+        if let Some(zero) = own_zero {
+            interpreter.take_up_own_zero(zero);
         }
         let built_with = interpreter.memory().parameters.clone();
         let all = delivered.parameters.table().iter().map(|row| row.key.clone());

@@ -766,6 +766,50 @@ fn the_work_coordinate_system_is_the_one_before_the_power() {
     }
 }
 
+/// GSK990MC 4.2.8, 3 and 4.2.11: the system that G92 made outlasts the power, until one of the table is called or axes are sent to
+/// their reference points by hand.
+#[test]
+fn the_system_that_g92_made_is_the_one_before_the_power() {
+    let folder = tempfile::tempdir().unwrap();
+    let mdi = |control: &mut Control, text: &str| {
+        mode(control, Mode::Mdi);
+        say(control, Command::Mdi { text: format!("{text}\n") });
+        start(control, Mode::Mdi);
+        wait(control, 200);
+    };
+    let work = |control: &Control| {
+        let status = control.status();
+        let at = |letter: char| status.position.work[&letter];
+        ([at('X'), at('Y'), at('Z')], status.position.system.clone())
+    };
+    {
+        let mut control = control(folder.path());
+        mdi(&mut control, "G55");
+        mdi(&mut control, "G92 X12.5 Z-3");
+        control.flush().unwrap();
+        assert_eq!(work(&control), ([12.5, 0.0, -3.0], None));
+    }
+    let kept = |control: &Control| control.interpreter().own_zero().unwrap();
+    {
+        let mut control = control(folder.path());
+        wait(&mut control, 1);
+        assert_eq!(work(&control), ([12.5, 0.0, -3.0], None));
+        assert_eq!(kept(&control).0[0], control.status().position.machine[&'X'] - 12.5);
+        // The system behind it is the one before.
+        assert!(control.status().program.g_codes.iter().any(|code| code == "G55"));
+    }
+    let mut control = control(folder.path());
+    wait(&mut control, 1);
+    assert_eq!(work(&control).0, [12.5, 0.0, -3.0]);
+    mdi(&mut control, "G55");
+    assert_eq!(work(&control).1.as_deref(), Some("G55"));
+    control.flush().unwrap();
+    drop(control);
+    let mut control = self::control(folder.path());
+    wait(&mut control, 1);
+    assert_eq!((work(&control).1.as_deref(), control.interpreter().own_zero()), (Some("G55"), None));
+}
+
 #[test]
 fn the_program_switch_stands_after_the_power_as_it_was_left() {
     let folder = tempfile::tempdir().unwrap();

@@ -14,6 +14,10 @@ pub type Row = Vec<(&'static str, Value)>;
 /// Bytes of the ladder in a row.
 const BYTES: usize = 16;
 
+/// The zero of the work coordinate system that G92 made, by axis.
+const ZERO_NAMES: [&str; 9] =
+    ["zero_x", "zero_y", "zero_z", "zero_a", "zero_b", "zero_c", "zero_u", "zero_v", "zero_w"];
+
 /// The rows of an item.
 pub fn rows(contents: &Contents, item: Item, diagnostics: &Diagnostics) -> Vec<Row> {
     match item {
@@ -125,6 +129,10 @@ pub fn rows(contents: &Contents, item: Item, diagnostics: &Diagnostics) -> Vec<R
                 let mut row = on_axes(("time", utc(last.time).into()), &last.position);
                 row.push(("referenced", referenced.into()));
                 row.push(("work_system", last.work_system.map(|s| s.to_string()).into()));
+                let zero = |axis| last.own_zero.map(|zero| zero[axis]);
+                row.extend(
+                    ZERO_NAMES.into_iter().zip(Axis::ALL).map(|(name, axis)| (name, zero(axis).into())),
+                );
                 row
             })
             .collect(),
