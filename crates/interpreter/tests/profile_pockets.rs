@@ -533,4 +533,23 @@ fn no_angle_is_straight_down() {
     assert_eq!(said(&program, TOOLS), [(Fault::NoEntryAngle, Severity::Warning)]);
     assert_eq!(said(&program.replace("T=1", "T=1, beta=5"), TOOLS), []);
     assert_eq!(said(&program, &TOOLS.replace("[tools.1]\n", "[tools.1]\nentry_angle = 10\n")), []);
+    // A room of 9 mm behind a narrow door takes the finishing tool alone, which goes down into what was not roughed.
+    let room = "#PROFILE R [XY]\nG0 X0 Y0\nG1 X100\nY28\nX105\nY25.5\nX135\nY34.5\nX105\nY32\nX100\nY60\nX0\nY0\n\
+        #ENDPROFILE\n";
+    let rough = ROUGH.replace("T=1", "T=1, beta=5");
+    let finish =
+        |angle: &str| format!("#FINISH [T=2, D=1, S=1000, F=600{angle}, delta=0, deltaz=0, step=4, N=0]\n");
+    let drill = "#DRILL [T=3, D=1, S=1000, F=100, I=5]\n";
+    let tools = TOOLS.replacen("radius = 2.5\n", "radius = 2\n", 1);
+    let of = |profile: &str, rough: &str, angle: &str, drill: &str| {
+        said(&format!("{profile}{MAIN}{drill}{rough}{}M30\n", finish(angle)), &tools)
+    };
+    let warning = [(Fault::NoEntryAngle, Severity::Warning)];
+    assert_eq!(of(room, &rough, "", ""), warning);
+    assert_eq!(of(room, &rough, ", theta=5", ""), []);
+    assert_eq!(of(RECTANGLE, &rough, "", ""), []);
+    // It is drilled where roughing goes down, and without roughing where finishing does.
+    assert_eq!(of(room, ROUGH, "", drill), warning);
+    assert_eq!(of(room, "", "", ""), warning);
+    assert_eq!(of(room, "", "", drill), []);
 }

@@ -50,6 +50,11 @@ impl Clearing {
         solid.filter_map(|c| c.path.first().map(Segment::from))
     }
 
+    /// Whether the tool goes down into full material where centres at least `open_from` from the walls stand over what is open.
+    pub fn enters_solid(&self, walls: &Walls, open_from: f64) -> bool {
+        self.entries().any(|point| !is_over_open(walls, point, open_from))
+    }
+
     /// Moves that a level takes at most.
     pub fn moves(&self, height: f64, slope: Slope) -> f64 {
         let chain = |chain: &Chain| {
@@ -78,7 +83,7 @@ impl Clearing {
             match &chain.entry {
                 Entry::Solid { down } => {
                     let open = Descent::new(down, over_open - level.bottom, level.slope);
-                    let is_open = open.points().all(|p| walls.distance(p) >= level.open_from - 1e-3);
+                    let is_open = open.points().all(|p| is_over_open(walls, p, level.open_from));
                     let from = if is_open { over_open } else { approach };
                     let descent =
                         if is_open { open } else { Descent::new(down, from - level.bottom, level.slope) };
@@ -99,4 +104,9 @@ impl Clearing {
         }
         Ok(())
     }
+}
+
+/// Whether a centre at this point stands over what is open.
+fn is_over_open(walls: &Walls, point: [f64; 2], open_from: f64) -> bool {
+    walls.distance(point) >= open_from - 1e-3
 }

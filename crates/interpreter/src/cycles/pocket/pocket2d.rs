@@ -259,6 +259,16 @@ impl Plan2d {
         }
     }
 
+    /// Whether finishing goes down into full material that no [`drill_points`](Self::drill_points) are in, somewhere: where the
+    /// roughing tool did not fit, it does.
+    pub fn finish_enters_solid(&self) -> bool {
+        self.rough.is_some()
+            && self
+                .finish
+                .as_ref()
+                .is_some_and(|finish| finish.floor.enters_solid(&self.walls, finish.open_from))
+    }
+
     /// The computed paths as bytes, to be kept and loaded again.
     pub fn save(&self) -> Vec<u8> {
         let mut writer = Writer::file(Kind::Flat, &self.inputs);

@@ -330,12 +330,15 @@ fn entry(
 }
 
 /// What is to be said of those of these stages that go down through solid material and find no entry angle in
-/// the cycle nor for their tool: they go straight down (4.1.3), which many a mill does not stand.
-fn straight_down(description: &Description<'_>, stages: &[Part]) -> Vec<WrongParameter> {
+/// the cycle nor for their tool: they go straight down (4.1.3), which many a mill does not stand. Finishing does so where nothing
+/// was roughed, and where roughing `left` something.
+fn straight_down(description: &Description<'_>, stages: &[Part], left: bool) -> Vec<WrongParameter> {
     let of = |stage: &Part| {
+        let is_drilled = description.has(Part::Drill) && works(description.part(Part::Drill));
         let (angle, is_solid) = match stage {
-            Part::Finish => ("theta", !works(description.part(Part::Rough))),
-            _ => ("beta", !description.has(Part::Drill)),
+            Part::Finish if works(description.part(Part::Rough)) => ("theta", left),
+            Part::Finish => ("theta", !is_drilled),
+            _ => ("beta", !is_drilled),
         };
         let section = description.part(*stage);
         let is_given = || section.number(angle) != 0.0 || tool(description, section).entry_angle != 0.0;

@@ -230,7 +230,7 @@ fn staged(
     }
     // Roughing has a way in through the open middle.
     let entering: &[Part] = if is_open { &[Part::Finish] } else { &[Part::Rough, Part::Finish] };
-    let warnings = straight_down(description, entering);
+    let warnings = straight_down(description, entering, false);
     Ok(Plan { warnings, ..plan(main, point, &placed, stages)? })
 }
 

@@ -247,6 +247,7 @@ fn flat(description: &Description<'_>) -> Made {
         .with(description.kept, main.name("pocket"), PocketKind::Flat)
         .map_err(|fault| wrong(description, fault))?;
     let mut stages = drilling(description, &plan)?;
+    let left = plan.finish_enters_solid();
     let plan = Arc::new(PocketPlan::Flat(plan));
     for (section, of) in [(rough, pocket::Stage::Rough), (finish, pocket::Stage::Finish)] {
         if works(section) {
@@ -254,7 +255,7 @@ fn flat(description: &Description<'_>) -> Made {
             stages.push(if of == pocket::Stage::Rough { of_rough(made)? } else { of_finish(made)? });
         }
     }
-    let warnings = straight_down(description, &[Part::Rough, Part::Finish]);
+    let warnings = straight_down(description, &[Part::Rough, Part::Finish], left);
     Ok(Plan { warnings, ..plan_at([0.0; 2], main, &placed, stages)? })
 }
 
@@ -344,6 +345,6 @@ fn deep(description: &Description<'_>) -> Made {
             stages.push(made.map_err(|wrong| wrong.part.map_or(wrong.of_part(directive(part)), |_| wrong))?);
         }
     }
-    let warnings = straight_down(description, &[Part::Rough]);
+    let warnings = straight_down(description, &[Part::Rough], false);
     Ok(Plan { warnings, ..plan_at([0.0; 2], main, &placed, stages)? })
 }
