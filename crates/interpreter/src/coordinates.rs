@@ -12,7 +12,7 @@ use crate::stages::scaling::Scaling;
 use crate::stages::work_offset::{System, WorkSystem};
 use crate::stages::{distance, units};
 use crate::words::letters;
-use ferrocut_geometry::{Axis, AxisSet, Position};
+use ferrocut_geometry::{Axis, AxisSet, Position, SAME_POINT_MM};
 use ferrocut_machine::{Alarm, Fault, WorkOffset};
 use ferrocut_program::Span;
 use std::ops::RangeInclusive;
@@ -182,6 +182,27 @@ impl Interpreter {
         let degrees = if adds { before + given } else { given };
         self.location.rotation = Some(Rotation { plane, center, degrees });
         Ok(())
+    }
+
+    /// Behind G68 the tool is not on the turned shape yet. A block that names no axis of the plane moves none of them, as on a Fanuc:
+    /// a plunge goes straight down where the tool stands.
+    pub(crate) fn stay_in_rotated_plane(&mut self, axes: AxisSet) {
+        let Some(Rotation { plane, .. }) = self.location.rotation else { return };
+        let own = [plane.first(), plane.second()];
+        let acts = !axes.is_empty() || self.cycle_kind().is_some() || self.words.has(b'H');
+        if !acts || own.iter().any(|axis| axes.contains(*axis)) {
+            return;
+        }
+        let (aimed, machine) = (self.location.machine_of(self.location.programmed), self.location.machine);
+        if own.iter().any(|axis| (aimed[*axis] - machine[*axis]).abs() > SAME_POINT_MM) {
+            let before = self.location.programmed;
+            self.location.take_machine();
+            let here = self.location.programmed;
+            self.location.programmed = before;
+            for axis in own {
+                self.location.programmed[axis] = here[axis];
+            }
+        }
     }
 
     /// G69: the tool stands where it stands.

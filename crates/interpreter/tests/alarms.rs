@@ -181,6 +181,8 @@ const FURTHER: &[(Fault, u16, &str, &str, &str)] = &[
     (Fault::ReferenceWithoutAxis, 166, "G28", "G28", ""),
     (Fault::IntermediateTooLarge, 167, "G91 G28 X99999", "X99999", ""),
     (Fault::NoOrientation, 177, "S100\nG76 Z-5 R0 Q1 F10", "G76", "[parameters]\n\"NO1.2\" = 1"),
+    (Fault::NoOrientation, 177, "S1\nG87 Z-5 R-20 Q1 F10", "G87", "[parameters]\n\"NO1.2\" = 1"),
+    (Fault::CycleNoSpindle, 178, "S100\nG96 S30 P1\nG84 Z-5 R2 F10", "G84", "[parameters]\n\"NO61.0\" = 1"),
     (Fault::ToolNumber, 183, "T100", "T100", "[parameters]\nP206 = 2"),
     (
         Fault::MillMirrored,

@@ -297,6 +297,42 @@ fn polar_coordinates_keep_the_pole_of_g16() {
     ]);
 }
 
+/// Behind G68 the tool is not on the turned shape yet. What names no axis of the plane moves none of it (Fanuc); the next point is
+/// one of the turned shape.
+#[test]
+fn a_plunge_behind_g68_goes_straight_down() {
+    hold(&[
+        (
+            "G90 G0 X10 Y0 Z20\nG68 X0 Y0 R90\nM8\nG1 Z-5 F100\nX5 Y0\nM30",
+            "",
+            &["rapid X10 Z20", "coolant on", "feed Z-5 F100", "feed X0 Y5 F100", "coolant off", "end M30"],
+        ),
+        (
+            "G0 X10 Z20\nG68 X0 Y0 R90\nG91 Z-5\nG90 X5 Y0\nM30",
+            "",
+            &["rapid X10 Z20", "rapid Z15", "rapid X0 Y5", "end M30"],
+        ),
+        (
+            "G0 X10 Z20\nG68 X0 Y0 R90\nG43 H1\nM30",
+            "[tools.1]\nlength = 4",
+            &["rapid X10 Z20", "rapid Z24", "end M30"],
+        ),
+        (
+            "G0 X10 Z20\nG68 X0 Y0 R90\nM3 S100\nG99 G81 R2 Z-5 F50\nG80\nM30",
+            "",
+            &[
+                "rapid X10 Z20",
+                "spindle cw 100",
+                "rapid Z2",
+                "feed Z-5 F50",
+                "rapid Z2",
+                "spindle off",
+                "end M30",
+            ],
+        ),
+    ]);
+}
+
 #[test]
 fn a_rotation_is_replaced_or_added_to() {
     hold(&[

@@ -16,9 +16,7 @@ impl Interpreter {
         if z >= r {
             return Err(self.level_alarm(Fault::CycleDepthAboveR));
         }
-        if !self.rules.spindle_has_position {
-            return Err(self.alarm(Fault::NoOrientation, self.cycle_span()));
-        }
+        self.check_orients()?;
         self.position_over_hole()?;
         self.approach(r)?;
         self.cut_z(z)?;
@@ -38,6 +36,7 @@ impl Interpreter {
         if z <= r {
             return Err(self.level_alarm(Fault::CycleDepthBelowR));
         }
+        self.check_orients()?;
         self.position_over_hole()?;
         let turning = self.orient();
         self.shift(1.0)?;
@@ -56,6 +55,14 @@ impl Interpreter {
         self.shift(-1.0)?;
         self.restart(turning);
         Ok(())
+    }
+
+    /// Whether the spindle can stop at an angle: one that is switched by I/O points cannot.
+    pub(super) fn check_orients(&self) -> Fallible<()> {
+        match self.rules.spindle_has_position {
+            true => Ok(()),
+            false => Err(self.alarm(Fault::NoOrientation, self.cycle_span())),
+        }
     }
 
     /// Stops the spindle at its angle; what it was doing is returned.

@@ -320,10 +320,14 @@ impl Interpreter {
             self.scale_tool_axis_again();
             return Ok(());
         }
-        // S of G96 is one too (GSK990MC 6.3); tapping has none by it (4.5).
+        // S of G96 is one too (GSK990MC 6.3); tapping has none by it, whatever S was in r/min before (4.5).
         let taps = matches!(self.cycle_kind(), Some(CycleKind::Tap { .. }));
-        let by_surface = !taps && self.is_surface_speed() && self.technology.surface_speed.is_some();
-        if self.rules.cycles.needs_speed && self.technology.speed.is_none() && !by_surface {
+        let has_speed = match self.is_surface_speed() {
+            true if taps => false,
+            true => self.technology.surface_speed.is_some() || self.technology.speed.is_some(),
+            false => self.technology.speed.is_some(),
+        };
+        if self.rules.cycles.needs_speed && !has_speed {
             let fault =
                 if taps && self.taps_rigidly() { Fault::TappingNoSpeed } else { Fault::CycleNoSpindle };
             return Err(self.alarm(fault, self.cycle_span()));

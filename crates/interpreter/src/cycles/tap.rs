@@ -51,8 +51,8 @@ impl Interpreter {
         }
         let rigid = self.taps_rigidly();
         // S is a gear then, of which no pitch can be made (GSK990MC 6.2).
-        if rigid && !self.rules.spindle_has_position {
-            return Err(self.alarm(Fault::NoOrientation, self.cycle_span()));
+        if rigid {
+            self.check_orients()?;
         }
         let limit = if rigid { rigid_speeds.limit(rpm) } else { self.rules.cycles.max_tapping_rpm };
         if rpm <= 0.0 || rpm > limit {
