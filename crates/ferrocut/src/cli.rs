@@ -85,9 +85,9 @@ pub enum Command {
             ways between are kept short (--order as-drawn keeps the order of the drawing).\n\n\
             The drawing's zero is the work zero of G54. Depths are work Z. What is not given is cut at\n\
             Z-1 with 600 mm/min, lowered with 300 mm/min, and crossed over at Z5.\n\n\
-            A set-up file can say the same in a table [import], with pen_up for --safe and pen_down for\n\
-            --depth; options of the command line win. Every command that takes a program takes a drawing\n\
-            too, and runs it in the order of the drawing.",
+            A set-up file can say the same in a table [import], with format = \"plt\" or \"dxf\" for --from,\n\
+            pen_up for --safe and pen_down for --depth; options of the command line win. Every command\n\
+            that takes a program takes a drawing too, and runs it in the order of the drawing.",
         after_help = "Examples:\n  \
             ferrocut import plate.dxf -o plate.nc --depth=-3 --feed 800 --spindle 6000\n  \
             ferrocut import plate.dxf --layer HOLES=-6,1 --layer OUTLINE=-6.2,2,F500 --layer ENGRAVING=skip\n  \

@@ -95,12 +95,12 @@ impl Failure {
 
     /// A file that is no drawing.
     pub fn no_drawing(file: &str) -> Failure {
-        Failure::wrong_use(Fault::NoDrawing).with("file", file)
+        Failure::wrong_use(Fault::NoDrawing).about(file)
     }
 
     /// A file that cannot be read.
     pub fn unreadable(file: &str, reason: &str) -> Failure {
-        Failure::wrong_use(Fault::FileUnreadable).with("file", file).with("reason", reason)
+        Failure::wrong_use(Fault::FileUnreadable).about(file).with("reason", reason)
     }
 
     /// A file that a result was to be written to.
@@ -110,22 +110,21 @@ impl Failure {
 
     /// A file that a result was to be written to, and why it cannot.
     pub fn cannot_write_for(file: &str, reason: &str) -> Failure {
-        Failure::wrong_use(Fault::FileUnwritable).with("file", file).with("reason", reason)
+        Failure::wrong_use(Fault::FileUnwritable).about(file).with("reason", reason)
     }
 
     /// A result that would be written over what the command reads.
     pub fn output_is_input(file: &str) -> Failure {
-        Failure::wrong_use(Fault::OutputIsInput).with("file", file)
+        Failure::wrong_use(Fault::OutputIsInput).about(file)
     }
 
     /// A picture in a format that there is not.
     pub fn picture_format(file: &str) -> Failure {
-        Failure::wrong_use(Fault::PictureFormat).with("file", file)
+        Failure::wrong_use(Fault::PictureFormat).about(file)
     }
 
     /// Why a file could not be opened as a program.
     pub fn of_open(path: &Path, error: OpenError) -> Failure {
-        let name = path.to_string_lossy().into_owned();
         let (fault, exit, reason) = match error {
             OpenError::Io(error) => (Fault::FileUnreadable, Exit::WrongUse, Some(error.to_string())),
             OpenError::Folder => (Fault::FileUnreadable, Exit::WrongUse, Some("it is a folder".to_owned())),
@@ -134,11 +133,17 @@ impl Failure {
             OpenError::Empty => (Fault::FileEmpty, Exit::Finding, None),
         };
         let mut failure =
-            Failure::new(Box::new(Alarm::core(fault, Span::default())), exit).with("file", name);
+            Failure::new(Box::new(Alarm::core(fault, Span::default())), exit).about(&path.to_string_lossy());
         if let Some(reason) = reason {
             failure = failure.with("reason", reason);
         }
         failure
+    }
+
+    /// With the file that it is about.
+    fn about(mut self, file: &str) -> Failure {
+        file.clone_into(&mut self.file);
+        self.with("file", file)
     }
 
     fn with(mut self, name: &'static str, value: impl Into<ferrocut_machine::Argument>) -> Failure {
@@ -263,6 +268,8 @@ impl Shop {
             common.tool_table.as_deref().map(|path| read_config(path, ToolLibrary::from_tbl, texts));
         let parameter_file =
             common.var_file.as_deref().map(|path| read_config(path, ParameterFile::from_var, texts));
+        // Who gives files of LinuxCNC says that the programs are too.
+        let linuxcnc = || (library.is_some() || parameter_file.is_some()).then(|| LINUXCNC.to_owned());
         let axis_names =
             setup.axis_names().map_err(|e| refused(common.setup.as_deref(), "setup", &e, texts))?;
         Ok(Shop {
@@ -272,7 +279,7 @@ impl Shop {
             machine,
             axis_names,
             machine_is_built_in: common.machine.is_none(),
-            dialect: common.dialect.clone().or_else(|| setup.dialect.clone()),
+            dialect: common.dialect.clone().or_else(|| setup.dialect.clone()).or_else(linuxcnc),
             block_skip: common.block_skip || setup.options.block_skip,
             optional_stop: common.optional_stop || setup.options.optional_stop,
             setup,
@@ -524,8 +531,7 @@ fn read_config<T>(
     texts: Catalogue,
 ) -> Result<T, Failure> {
     let name = path.to_string_lossy().into_owned();
-    let text = std::fs::read_to_string(path).map_err(|e| {
-        Failure::wrong_use(Fault::FileUnreadable).with("file", name.as_str()).with("reason", e.to_string())
-    })?;
-    parse(&text).map_err(|error| Failure::config(&name, &error.told(texts)))
+    let text = std::fs::read_to_string(path).map_err(|e| Failure::unreadable(&name, &e.to_string()))?;
+    let unusable = |error: ConfigError| Failure::config(&name, &error.told(texts));
+    parse(&text).map_err(|error| Failure { file: name.clone(), ..unusable(error) })
 }

@@ -27,6 +27,7 @@ fn every_command(file: &str, code: i32, name: &str) {
         let finding = json(text.trim());
         assert_eq!((answer.code, finding["line"].as_u64()), (code, Some(0)), "{command} {finding}");
         assert!(finding["message"].as_str().unwrap().contains(name), "{finding}");
+        assert_eq!(finding["file"], file, "{command}");
     }
 }
 

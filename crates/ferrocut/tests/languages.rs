@@ -46,6 +46,23 @@ fn a_language_that_nobody_named_is_told_with_what_it_was_guessed_from() {
 }
 
 #[test]
+fn files_of_linuxcnc_name_its_language() {
+    let folder = TempDir::new().unwrap();
+    let program = write(&folder, "part.nc", "T1 M6\nG43\nG0 Z10\nM2\n");
+    let table = write(&folder, "mill.tbl", "T1 P1 Z50 D5\n");
+    let variables = write(&folder, "mill.var", "5220\t1\n5221\t0\n");
+    let ends = |arguments: &[&str]| {
+        let trace = json_lines(&ferrocut(&[&["trace", &program], arguments].concat()).out);
+        let last = trace.iter().filter_map(|step| step["to"]["z"].as_f64()).next_back();
+        last.unwrap()
+    };
+    assert_eq!(ends(&[]), 10.0);
+    assert_eq!(ends(&["--tool-table", &table]), 60.0);
+    let report = ferrocut(&["run", &program, "--var-file", &variables]).out;
+    assert!(report.contains("rs274"), "{report}");
+}
+
+#[test]
 fn a_machine_file_names_the_language_unless_the_program_proves_another() {
     let folder = TempDir::new().unwrap();
     let gsk = mill(&folder, "gsk990mc", "");

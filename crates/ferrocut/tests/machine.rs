@@ -35,6 +35,20 @@ fn fails(arguments: &[&str], code: i32, says: &[&str]) {
 }
 
 #[test]
+fn files_that_a_machine_file_names_lie_beside_it() {
+    let folder = tempdir().unwrap();
+    let weihong = Machine::DEMO_MILL.replacen("dialect = \"gsk990mc\"", "dialect = \"weihong\"", 1);
+    assert_ne!(weihong, Machine::DEMO_MILL);
+    let file = write(&folder, "mill.toml", &weihong);
+    let line = 1 + weihong.lines().position(|line| line.starts_with("public_programs")).unwrap();
+    let answer = ferrocut(&["machine", "check", &file]);
+    let place = format!("{file}:{line}: error: public.dat is named here");
+    assert!(answer.code == 1 && answer.out.contains(&place), "{}", answer.out);
+    write(&folder, "public.dat", Machine::DEMO_PROGRAMS);
+    assert!(!ferrocut(&["machine", "check", &file]).out.contains("public.dat"));
+}
+
+#[test]
 fn new_writes_a_machine_that_every_command_takes_and_never_overwrites() {
     let folder = tempdir().unwrap();
     let file = folder.path().join("new.toml").into_os_string().into_string().unwrap();

@@ -97,12 +97,15 @@ fn the_raster_holds_its_check() {
 fn steps_in_another_file_name_it() {
     let folder = tempfile::tempdir().unwrap();
     let main = write(&folder, "main.nc", "O1\nG0 X1\nM98 P2002\nG0 X3\nM30\n");
-    write(&folder, "O2002.nc", "O2002\nG0 X2\nM99\n");
+    let other = write(&folder, "O2002.nc", "O2002\nG0 X2\nM99\n");
     let steps = json_lines(&ferrocut(&["trace", &main]).out);
     let places: Vec<(u64, bool)> =
         steps.iter().map(|s| (s["line"].as_u64().unwrap(), s.get("file").is_some())).collect();
     assert_eq!(places, [(2, false), (2, true), (4, false), (5, false)]);
-    assert!(steps[1]["file"].as_str().unwrap().ends_with("O2002.nc"));
+    assert_eq!(steps[1]["file"], other.as_str());
+    // From beside it as it is typed there.
+    let beside = common::answer(common::command(&["trace", "main.nc"]).current_dir(folder.path()));
+    assert_eq!(json_lines(&beside.out)[1]["file"], "O2002.nc");
 }
 
 #[test]

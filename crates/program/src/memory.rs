@@ -526,7 +526,9 @@ impl ProgramMemory {
         }
         // A file that cannot be opened any more is a program that is not there.
         let text = Text::open(&path).ok()?;
-        let file = self.add(&path.file_name()?.to_string_lossy(), text);
+        // As it would be typed, beside the main program.
+        let name = path.strip_prefix(".").unwrap_or(&path);
+        let file = self.add(&name.to_string_lossy(), text);
         self.files.get_mut(usize::from(file.0))?.found_at = Some(path);
         Some(file)
     }

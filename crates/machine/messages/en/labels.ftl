@@ -223,6 +223,7 @@ label-machine-spindle = the spindle's { $value } r/min are beyond any machine
 label-machine-spindle-sluggish = the spindle takes { $value } s to reach its highest speed; is acceleration_rpm_s in r/min per second?
 label-machine-tolerance = a path that may be { $value } mm off cuts no part; is tolerance in mm?
 label-machine-tool-change = a tool change takes { $value } s; is time_s in seconds?
+label-machine-file-missing = { $file } is named here and cannot be read beside the machine file: { $reason }
 label-quote-bits = Names of bit parameters stand in quotation marks: "NO43.1" = 1
 
 ## Drawings

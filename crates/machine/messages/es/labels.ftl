@@ -223,6 +223,7 @@ label-machine-spindle = los { $value } r/min del husillo superan a los de cualqu
 label-machine-spindle-sluggish = el husillo tarda { $value } s en alcanzar su velocidad máxima; ¿está acceleration_rpm_s en r/min por segundo?
 label-machine-tolerance = una trayectoria que puede desviarse { $value } mm no corta ninguna pieza; ¿está tolerance en mm?
 label-machine-tool-change = un cambio de herramienta tarda { $value } s; ¿está time_s en segundos?
+label-machine-file-missing = aquí se nombra { $file }, que no se puede leer junto al archivo de máquina: { $reason }
 label-quote-bits = Los nombres de parámetros de bit van entre comillas: "NO43.1" = 1
 
 ## Drawings

@@ -239,6 +239,7 @@ label-machine-spindle = у шпинделя { $value } об/мин, чего н�
 label-machine-spindle-sluggish = разгон шпинделя до наибольшей частоты вращения занимает { $value } с; acceleration_rpm_s указано в об/мин за секунду?
 label-machine-tolerance = с отклонением траектории до { $value } мм детали не обработать; tolerance указан в мм?
 label-machine-tool-change = смена инструмента занимает { $value } с; time_s указано в секундах?
+label-machine-file-missing = здесь назван { $file }, но рядом с файлом станка его не прочитать: { $reason }
 label-quote-bits = Имена битовых параметров пишутся в кавычках: "NO43.1" = 1
 
 ## Drawings

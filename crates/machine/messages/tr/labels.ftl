@@ -223,6 +223,7 @@ label-machine-spindle = iş milinin { $value } dev/dk hızı hiçbir tezgâhta o
 label-machine-spindle-sluggish = iş mili en yüksek devrine { $value } s içinde ulaşıyor; acceleration_rpm_s saniyede dev/dk olarak mı?
 label-machine-tolerance = { $value } mm sapabilen bir yolla parça kesilmez; tolerance mm olarak mı?
 label-machine-tool-change = takım değişimi { $value } s sürüyor; time_s saniye olarak mı?
+label-machine-file-missing = burada { $file } adı geçiyor, ama makine dosyasının yanında okunamıyor: { $reason }
 label-quote-bits = Bit parametrelerinin adları tırnak içinde yazılır: "NO43.1" = 1
 
 ## Drawings

@@ -208,6 +208,7 @@ label-machine-spindle = 主轴 { $value } r/min 超过任何机床
 label-machine-spindle-sluggish = 主轴达到最高转速需 { $value } s；acceleration_rpm_s 的单位是每秒 r/min 吗？
 label-machine-tolerance = 轨迹偏差 { $value } mm 无法加工零件；tolerance 的单位是 mm 吗？
 label-machine-tool-change = 换刀需 { $value } s；time_s 的单位是秒吗？
+label-machine-file-missing = 此处指定了 { $file }，但在机床文件旁无法读取：{ $reason }
 label-quote-bits = 位参数的名称须加引号："NO43.1" = 1
 
 ## 图纸

@@ -54,13 +54,13 @@ pub fn run(args: &CheckArgs, common: &Common) -> Result<Exit, Failure> {
                 let alarm = Alarm::core(Fault::FileUnreadable, Span::default())
                     .with("file", &*file)
                     .with("reason", error.to_string());
-                diagnostics.report(&alarm, "", None);
+                diagnostics.report(&alarm, &file, None);
                 exit = Exit::WrongUse;
                 continue;
             }
         };
         let catalogue = diagnostics.catalogue();
-        let (machine, remarks) = examine(&text, common, catalogue);
+        let (machine, remarks) = examine(&text, path, common, catalogue);
         if !remarks.is_empty() {
             exit = exit.max(Exit::Finding);
         }
@@ -128,7 +128,7 @@ fn write_text(
 }
 
 /// What a file makes, and what is to say of it.
-fn examine(text: &str, common: &Common, catalogue: Catalogue) -> (Option<Machine>, Vec<Remark>) {
+fn examine(text: &str, file: &Path, common: &Common, catalogue: Catalogue) -> (Option<Machine>, Vec<Remark>) {
     let machine = match Machine::from_toml(text) {
         Ok(machine) => machine,
         Err(error) => {
@@ -187,8 +187,29 @@ fn examine(text: &str, common: &Common, catalogue: Catalogue) -> (Option<Machine
         let arguments = [("value", value.to_string().into()), ("limit", limit_of(key).to_string().into())];
         remarks.push(Remark { line: lines.of(path), is_error: false, text: say(key, &arguments) });
     }
+    // What comes in by standard input lies nowhere.
+    let beside = files_beside(&machine, dialects::by_name(dialect));
+    for (path, name) in beside.filter(|_| file != Path::new("-")) {
+        if let Err(error) = std::fs::File::open(file.with_file_name(name)) {
+            let arguments = [("file", name.into()), ("reason", error.to_string().into())];
+            let text = say("label-machine-file-missing", &arguments);
+            remarks.push(Remark { line: lines.of(path), is_error: true, text });
+        }
+    }
     remarks.sort_by_key(|remark| remark.line);
     (Some(machine), remarks)
+}
+
+/// Files that lie beside the machine file and that its control needs, and where they are named.
+fn files_beside<'a>(
+    machine: &'a Machine,
+    dialect: Option<&Dialect>,
+) -> impl Iterator<Item = (&'static [&'static str], &'a str)> {
+    let has_codes = dialect.is_some_and(|dialect| dialect.custom.is_some());
+    let programs = machine.public_programs.as_deref().filter(|_| has_codes);
+    let public: (&[&str], _) = (&["public_programs"], programs);
+    let change: (&[&str], _) = (&["tool_change", "file"], machine.tool_change.file.as_deref());
+    [public, change].into_iter().filter_map(|(path, name)| Some((path, name?)))
 }
 
 /// The bound that a warning names.
@@ -401,7 +422,7 @@ mod tests {
     use ferrocut_machine::Language;
 
     fn remarks(text: &str) -> Vec<(usize, String)> {
-        let (_, remarks) = examine(text, &Common::default(), Catalogue::new(Language::En));
+        let (_, remarks) = examine(text, Path::new("-"), &Common::default(), Catalogue::new(Language::En));
         remarks.into_iter().map(|r| (r.line, r.text)).collect()
     }
 
