@@ -532,6 +532,5 @@ fn read_config<T>(
 ) -> Result<T, Failure> {
     let name = path.to_string_lossy().into_owned();
     let text = std::fs::read_to_string(path).map_err(|e| Failure::unreadable(&name, &e.to_string()))?;
-    let unusable = |error: ConfigError| Failure::config(&name, &error.told(texts));
-    parse(&text).map_err(|error| Failure { file: name.clone(), ..unusable(error) })
+    parse(&text).map_err(|e| Failure { file: name.clone(), ..Failure::config(&name, &e.told(texts)) })
 }

@@ -193,14 +193,11 @@ impl Interpreter {
         if !acts || own.iter().any(|axis| axes.contains(*axis)) {
             return;
         }
-        let (aimed, machine) = (self.location.machine_of(self.location.programmed), self.location.machine);
-        if own.iter().any(|axis| (aimed[*axis] - machine[*axis]).abs() > SAME_POINT_MM) {
-            let before = self.location.programmed;
-            self.location.take_machine();
-            let here = self.location.programmed;
-            self.location.programmed = before;
+        let (aimed, mut here) = (self.location.machine_of(self.location.programmed), self.location);
+        if own.iter().any(|axis| (aimed[*axis] - here.machine[*axis]).abs() > SAME_POINT_MM) {
+            here.take_machine();
             for axis in own {
-                self.location.programmed[axis] = here[axis];
+                self.location.programmed[axis] = here.programmed[axis];
             }
         }
     }

@@ -11,6 +11,7 @@ use crate::snapshot;
 use crate::table::{
     ABOUT, ALARM, COUNTER, INTERRUPTED, Kind, LADDER, LAST_POSITION, LOG, PARAMETER, PASSWORD, PITCH,
     PROGRAM, REFERENCE_POINT, Row, SIGNAL, TABLES, TOOL_OFFSET, TOTAL, TRIES, Table, VARIABLE, WORK_ZERO,
+    position_columns,
 };
 use std::path::Path;
 
@@ -107,20 +108,11 @@ const THIRD: &[Table] = &[
 const FOURTH_LAST_POSITION: Table = Table {
     name: "last_position",
     keys: 1,
-    columns: &[
+    columns: position_columns![
         ("number", Kind::Whole),
         ("time", Kind::Whole),
         ("referenced", Kind::Whole),
-        ("work_system", Kind::Text),
-        ("x", Kind::Real),
-        ("y", Kind::Real),
-        ("z", Kind::Real),
-        ("a", Kind::Real),
-        ("b", Kind::Real),
-        ("c", Kind::Real),
-        ("u", Kind::Real),
-        ("v", Kind::Real),
-        ("w", Kind::Real),
+        ("work_system", Kind::Text)
     ],
 };
 

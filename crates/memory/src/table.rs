@@ -150,14 +150,16 @@ pub const TOOL_OFFSET: Table = Table {
 
 /// Columns of a position, mm and degrees, in the order of the axes.
 macro_rules! position_columns {
-    ($($first:expr),+) => {
+    ($($first:expr),+) => {{
+        use $crate::table::Kind::Real;
         &[
             $($first,)+
             ("x", Real), ("y", Real), ("z", Real), ("a", Real), ("b", Real), ("c", Real),
             ("u", Real), ("v", Real), ("w", Real),
         ]
-    };
+    }};
 }
+pub(crate) use position_columns;
 
 /// Work zeros that somebody has set: `external`, `G54`, `G54 P2`.
 pub const WORK_ZERO: Table = Table { name: "work_zero", keys: 1, columns: position_columns![("name", Text)] };

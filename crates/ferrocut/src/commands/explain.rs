@@ -172,8 +172,5 @@ pub fn dialect_of(common: &Common, machine: &Machine) -> Result<&'static Dialect
 
 /// A machine file that cannot be used.
 pub fn unusable(path: &Path, reason: &str) -> Failure {
-    let alarm = Alarm::core(Fault::ConfigUnusable, Span::default())
-        .with("file", path.to_string_lossy().into_owned())
-        .with("reason", reason);
-    Failure::new(Box::new(alarm), Exit::WrongUse)
+    Failure::config(&path.to_string_lossy(), reason)
 }

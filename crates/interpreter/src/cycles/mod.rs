@@ -322,11 +322,9 @@ impl Interpreter {
         }
         // S of G96 is one too (GSK990MC 6.3); tapping has none by it, whatever S was in r/min before (4.5).
         let taps = matches!(self.cycle_kind(), Some(CycleKind::Tap { .. }));
-        let has_speed = match self.is_surface_speed() {
-            true if taps => false,
-            true => self.technology.surface_speed.is_some() || self.technology.speed.is_some(),
-            false => self.technology.speed.is_some(),
-        };
+        let by_surface = self.is_surface_speed();
+        let has_speed = !(taps && by_surface)
+            && (self.technology.speed.is_some() || by_surface && self.technology.surface_speed.is_some());
         if self.rules.cycles.needs_speed && !has_speed {
             let fault =
                 if taps && self.taps_rigidly() { Fault::TappingNoSpeed } else { Fault::CycleNoSpindle };

@@ -407,12 +407,10 @@ impl Grid {
         let mut next = first;
         'cells: while next <= last {
             let mut cell = next;
-            let mut ahead = self.alike(queue, [first, cell, last], from.state.v, cap);
-            let is_alike = ahead.0 > cell;
-            if !is_alike {
-                ahead = self.brief(queue, [first, cell, last], from.s, cap);
-            }
-            let (farthest, here) = ahead;
+            let alike = self.alike(queue, [first, cell, last], from.state.v, cap);
+            let is_alike = alike.0 > cell;
+            let (farthest, here) =
+                if is_alike { alike } else { self.brief(queue, [first, cell, last], from.s, cap) };
             let is_brief = !is_alike && farthest > cell;
             next = farthest + 1;
             let (left_node, right_node) = (queue.node(cell), queue.node(farthest));

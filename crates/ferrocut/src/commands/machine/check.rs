@@ -8,8 +8,7 @@ use crate::commands::layout::{padded, table, width};
 use crate::job::{Exit, Failure, diagnostics};
 use crate::stdout;
 use ferrocut_interpreter::{Dialect, dialects};
-use ferrocut_machine::{Alarm, Argument, AxisConfig, AxisKind, Catalogue, Fault, Machine, Memory, Smoothing};
-use ferrocut_program::Span;
+use ferrocut_machine::{Argument, AxisConfig, AxisKind, Catalogue, Machine, Memory, Smoothing};
 use std::io::{self, Read, Write};
 use std::path::Path;
 use toml_edit::{Document, Item};
@@ -51,10 +50,8 @@ pub fn run(args: &CheckArgs, common: &Common) -> Result<Exit, Failure> {
         let text = match read(path) {
             Ok(text) => text,
             Err(error) => {
-                let alarm = Alarm::core(Fault::FileUnreadable, Span::default())
-                    .with("file", &*file)
-                    .with("reason", error.to_string());
-                diagnostics.report(&alarm, &file, None);
+                let failure = Failure::unreadable(&file, &error.to_string());
+                diagnostics.report(&failure.alarm, &failure.file, None);
                 exit = Exit::WrongUse;
                 continue;
             }
