@@ -673,6 +673,7 @@ impl Assembler {
                     basis: rpm,
                     class,
                     pass: Pass::Path,
+                    turns_are_few: span.turns_are_few,
                     rests: false,
                 }
             };
@@ -743,6 +744,7 @@ impl Assembler {
                         basis: open.member.rpm,
                         class: open.member.class,
                         pass: Pass::Path,
+                        turns_are_few: false,
                         rests: false,
                     };
                     queue.append(cell, node);
@@ -772,6 +774,7 @@ impl Assembler {
                         top,
                         is_link: corner.is_link(),
                     },
+                    turns_are_few: false,
                     rests: false,
                 };
                 queue.append(cell, node);
@@ -812,6 +815,7 @@ impl Assembler {
             basis: basis(member, &rates),
             class: member.class,
             pass: Pass::Path,
+            turns_are_few: false,
             rests: false,
         };
         queue.append(Cell::new(shape, None), node);
@@ -839,6 +843,7 @@ impl Assembler {
             basis: 1.0,
             class: Class::Rapid,
             pass: Pass::Axes,
+            turns_are_few: false,
             rests: true,
         };
         queue.mark(open.s + AXES_LENGTH, open.member.tag);

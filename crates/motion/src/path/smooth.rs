@@ -134,6 +134,8 @@ pub(crate) struct Span {
     /// Highest speed whatever the override, mm/s.
     pub most: f64,
     pub is_straight: bool,
+    /// Whether turns are few where it lies.
+    pub turns_are_few: bool,
     /// How far X, Y and Z go on its line, as a share of the length of that.
     pub share: f64,
 }
@@ -180,6 +182,8 @@ pub(crate) struct Smoother {
     speeds: [f64; 2],
     /// The first and the last line stay as they are: something is joined to them.
     keeps: [bool; 2],
+    /// Whether little of it is slow, of many lines: what is gained in a turn is little of the whole.
+    turns_are_few: bool,
     /// How many axes in front move.
     count: usize,
 }
@@ -209,6 +213,7 @@ impl Smoother {
             anchor_size: 0.0,
             speeds: [f64::INFINITY; 2],
             keeps: [false; 2],
+            turns_are_few: false,
             count: 3,
         }
     }
@@ -416,7 +421,8 @@ impl Smoother {
                     *own = if (*own - p).abs() <= ROUNDING { *p } else { *own };
                 }
             }
-            out(Span { u: begin, cubic, feed: line.feed, most, is_straight, share: self.share(middle) });
+            let (turns_are_few, share) = (self.turns_are_few, self.share(middle));
+            out(Span { u: begin, cubic, feed: line.feed, most, is_straight, turns_are_few, share });
         }
     }
 }

@@ -894,6 +894,7 @@ mod tests {
                     basis: 0.0,
                     class: Class::Cut,
                     pass: Pass::Path,
+                    turns_are_few: false,
                     rests: k + 1 == CELLS,
                 },
             );

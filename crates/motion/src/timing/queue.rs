@@ -139,6 +139,8 @@ pub(crate) struct Node {
     pub basis: f64,
     pub class: Class,
     pub pass: Pass,
+    /// Whether it lies where turns are few among many lines: they are timed less closely.
+    pub turns_are_few: bool,
     /// Whether the path rests at its end.
     pub rests: bool,
 }
@@ -210,6 +212,7 @@ impl Queue {
             basis: 0.0,
             class: Class::Cut,
             pass: Pass::Path,
+            turns_are_few: false,
             rests: false,
         };
         Queue {

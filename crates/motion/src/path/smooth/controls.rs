@@ -17,6 +17,11 @@ pub(super) const MOST_LOOKS: usize = 16;
 const SPLIT: f64 = 0.27;
 const MOST_PARTS: usize = 10;
 
+/// The same where turns are few among many lines, of which there are so many at least: a raster of long rows takes 0.3 % longer, and
+/// a quarter more of it is planned in a second.
+const SPLIT_OF_FEW: f64 = 0.5;
+const MANY_LINES: usize = 128;
+
 /// Where less of the jerk is taken than this, there and near by, there is less to bend for: it may be so much longer, up to so many
 /// times what is smoothed away.
 const BENDS: f64 = 0.3;
@@ -79,11 +84,13 @@ impl Smoother {
         ];
         fit.pace.straight = self.straight(open);
         self.origins.clear();
+        self.turns_are_few = false;
         fit.clear();
         if self.set(fit, turns, open) {
             fit.solve();
             fit.find_pace(&self.soft);
             if fit.pace.is_slow() {
+                self.turns_are_few = self.lines() >= MANY_LINES && !fit.is_much_slow();
                 self.pace(fit, turns, open);
             }
             fit.close();
@@ -173,6 +180,7 @@ impl Smoother {
         self.finer.clear();
         self.is_finer_dense.clear();
         self.origins.clear();
+        let longest = if self.turns_are_few { SPLIT_OF_FEW } else { SPLIT };
         fit.find_loads(&self.soft);
         fit.pace.begin_split();
         self.finer.extend_from_slice(&self.knots[..3]);
@@ -185,7 +193,7 @@ impl Smoother {
                 let away = fit.pace.most_reach(k, tolerance);
                 let is_close = keeps[0] && begin - self.t(0) < away || keeps[1] && self.t(spans) - end < away;
                 if !is_close {
-                    let share = (SPLIT * (BENDS / fit.load(k)).max(1.0)).min(LONGEST);
+                    let share = (longest * (BENDS / fit.load(k)).max(1.0)).min(LONGEST);
                     let most = share * fit.pace.reach(k, tolerance);
                     let is_end = k == 0 || k + 1 == spans;
                     let most_parts = if is_end { PARTS_AT_END } else { MOST_PARTS };

@@ -6,11 +6,8 @@ use super::{Valley, WORTH};
 use crate::quick::larger;
 use pulp::{Arch, NullaryFnOnce};
 
-/// Iterations at most, the share of the time that may be missing to the least, and what may be left of by how much slacks
-/// and bounds differed.
+/// Iterations at most.
 const ITERATIONS: usize = 30;
-const GAP: f64 = 2e-3;
-const APART: f64 = 0.01;
 
 /// Multipliers at first: the share of the time that all of them together are worth.
 pub(super) const FIRST_GAP: f64 = 1.0;
@@ -109,7 +106,7 @@ impl Valley {
             step = [far, NEARLY / lead.most[1].max(NEARLY)];
             sum = lead.sum(step);
             apart *= 1.0 - far;
-            if apart < APART && sum < GAP * planned {
+            if apart < self.effort.apart && sum < self.effort.gap * planned {
                 break;
             }
             if sum > ASTRAY * planned {
