@@ -182,21 +182,24 @@ enum Public {
     None,
     /// Those of the demo machine.
     BuiltIn,
-    File(PathBuf),
+    /// The file, and the machine file where that names it.
+    File(PathBuf, Option<PathBuf>),
 }
 
 impl Public {
     fn of(common: &Common, machine: &Machine) -> Public {
         match (&common.public, &common.machine, &machine.public_programs) {
-            (Some(path), ..) => Public::File(path.clone()),
+            (Some(path), ..) => Public::File(path.clone(), None),
             (None, _, None) => Public::None,
             (None, None, Some(_)) => Public::BuiltIn,
-            (None, Some(machine), Some(name)) => Public::File(machine.with_file_name(name)),
+            (None, Some(machine), Some(name)) => {
+                Public::File(machine.with_file_name(name), Some(machine.clone()))
+            }
         }
     }
 
     fn path(&self) -> &Path {
-        if let Public::File(path) = self { path } else { Path::new("public.dat") }
+        if let Public::File(path, _) = self { path } else { Path::new("public.dat") }
     }
 
     /// Their text; `None` where the machine brings none.
@@ -204,16 +207,24 @@ impl Public {
         match self {
             Public::None => None,
             Public::BuiltIn => Some(Text::from_bytes(Machine::DEMO_PROGRAMS.as_bytes().to_vec())),
-            Public::File(path) => Some(Text::open(path)),
+            Public::File(path, _) => Some(Text::open(path)),
         }
     }
 
-    /// Their name and text.
-    fn read(&self) -> Result<Option<(String, Text)>, Failure> {
+    /// Their name and text. Without them a program cannot be run: any of its codes may be theirs.
+    fn read(&self, texts: Catalogue) -> Result<Option<(String, Text)>, Failure> {
         let Some(text) = self.text() else { return Ok(None) };
         let path = self.path();
-        let text = text.map_err(|error| Failure { exit: Exit::WrongUse, ..Failure::of_open(path, error) })?;
-        Ok(Some((path.to_string_lossy().into_owned(), text)))
+        let name = path.to_string_lossy();
+        let text = text.map_err(|error| match (self, error) {
+            (Public::File(_, Some(machine)), OpenError::Io(error)) => {
+                let named = [("file", (&*name).into()), ("reason", error.to_string().into())];
+                let reason = texts.label("label-public-missing", &named);
+                Failure::config(&machine.to_string_lossy(), &reason)
+            }
+            (_, error) => Failure { exit: Exit::WrongUse, ..Failure::of_open(path, error) },
+        })?;
+        Ok(Some((name.into_owned(), text)))
     }
 }
 
@@ -234,7 +245,7 @@ impl Shop {
         // Other languages know no codes of a shop, and need no such file.
         let has_codes =
             dialects::by_name(&self.machine.dialect).is_some_and(|dialect| dialect.custom.is_some());
-        let read = if has_codes { self.public.read()? } else { None };
+        let read = if has_codes { self.public.read(self.diagnostics.catalogue())? } else { None };
         Ok(read.map(|(name, text)| PublicPrograms { name, text: Arc::new(text) }))
     }
 
@@ -262,7 +273,7 @@ impl Shop {
         let public = Public::of(common, &machine);
         if common.public.is_some() {
             // Also where the control has no use for it: a wrong name is wrong use.
-            public.read()?;
+            public.read(texts)?;
         }
         let library =
             common.tool_table.as_deref().map(|path| read_config(path, ToolLibrary::from_tbl, texts));
@@ -349,7 +360,7 @@ impl Shop {
         drawing: Option<FromDrawing>,
     ) -> Result<Job, Failure> {
         if dialect.custom.is_some()
-            && let Some((name, text)) = self.public.read()?
+            && let Some((name, text)) = self.public.read(self.diagnostics.catalogue())?
         {
             programs.add(&name, text);
         }

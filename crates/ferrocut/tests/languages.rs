@@ -120,6 +120,15 @@ fn public_programs_are_given_by_the_command_line_or_the_machine_file() {
         with_input(&["trace", "-", "--machine", &machine, "--public", missing.to_str().unwrap()], program);
     assert_eq!(answer.code, 2);
     assert!(answer.err.contains("none.dat"), "{}", answer.err);
+    // One that the machine file names is told with the machine file, and with what to do; of no use to another control.
+    let alone = mill(&folder, "weihong", "public_programs = \"none.dat\"");
+    let answer = with_input(&["trace", "-", "--machine", &alone], program);
+    assert_eq!((answer.code, answer.out.as_str()), (2, ""));
+    for part in ["FC-0904", alone.as_str(), missing.to_str().unwrap(), "public_programs", "--public"] {
+        assert!(answer.err.contains(part), "{part}: {}", answer.err);
+    }
+    assert_eq!(with_input(&["trace", "-", "--machine", &alone, "--public", &other], program).code, 0);
+    assert_eq!(with_input(&["trace", "-", "--machine", &alone, "--dialect", "gsk990mc"], PLAIN).code, 0);
 }
 
 #[test]

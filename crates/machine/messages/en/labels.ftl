@@ -224,6 +224,7 @@ label-machine-spindle-sluggish = the spindle takes { $value } s to reach its hig
 label-machine-tolerance = a path that may be { $value } mm off cuts no part; is tolerance in mm?
 label-machine-tool-change = a tool change takes { $value } s; is time_s in seconds?
 label-machine-file-missing = { $file } is named here and cannot be read beside the machine file: { $reason }
+label-public-missing = public_programs names { $file }, which cannot be read ({ $reason }), and any code may be a program in it: put the file there, name another with --public, or take the line out
 label-quote-bits = Names of bit parameters stand in quotation marks: "NO43.1" = 1
 
 ## Drawings

@@ -224,6 +224,7 @@ label-machine-spindle-sluggish = el husillo tarda { $value } s en alcanzar su ve
 label-machine-tolerance = una trayectoria que puede desviarse { $value } mm no corta ninguna pieza; ¿está tolerance en mm?
 label-machine-tool-change = un cambio de herramienta tarda { $value } s; ¿está time_s en segundos?
 label-machine-file-missing = aquí se nombra { $file }, que no se puede leer junto al archivo de máquina: { $reason }
+label-public-missing = public_programs nombra { $file }, que no se puede leer ({ $reason }), y cualquier código puede ser un programa suyo: ponga ahí el archivo, nombre otro con --public o quite la línea
 label-quote-bits = Los nombres de parámetros de bit van entre comillas: "NO43.1" = 1
 
 ## Drawings

@@ -240,6 +240,7 @@ label-machine-spindle-sluggish = разгон шпинделя до наибол
 label-machine-tolerance = с отклонением траектории до { $value } мм детали не обработать; tolerance указан в мм?
 label-machine-tool-change = смена инструмента занимает { $value } с; time_s указано в секундах?
 label-machine-file-missing = здесь назван { $file }, но рядом с файлом станка его не прочитать: { $reason }
+label-public-missing = public_programs называет { $file }, который не прочитать ({ $reason }), а любой код может быть программой из него: положите файл туда, назовите другой через --public или уберите строку
 label-quote-bits = Имена битовых параметров пишутся в кавычках: "NO43.1" = 1
 
 ## Drawings

@@ -224,6 +224,7 @@ label-machine-spindle-sluggish = iş mili en yüksek devrine { $value } s içind
 label-machine-tolerance = { $value } mm sapabilen bir yolla parça kesilmez; tolerance mm olarak mı?
 label-machine-tool-change = takım değişimi { $value } s sürüyor; time_s saniye olarak mı?
 label-machine-file-missing = burada { $file } adı geçiyor, ama makine dosyasının yanında okunamıyor: { $reason }
+label-public-missing = public_programs { $file } dosyasını gösteriyor, ama okunamıyor ({ $reason }); her kod oradaki bir program olabilir: dosyayı oraya koyun, --public ile başkasını verin ya da satırı çıkarın
 label-quote-bits = Bit parametrelerinin adları tırnak içinde yazılır: "NO43.1" = 1
 
 ## Drawings
