@@ -23,7 +23,8 @@ pub enum Asked {
     Address(u8),
     /// A word of the macro language.
     MacroWord(String),
-    /// What stands at a place of a program; every word of the line where no column is given.
+    /// What stands at a place of a program; every word of the line where no column is given. Line 0 is that of a file
+    /// that is named alone.
     Place(PathBuf, u32, Option<usize>),
 }
 
@@ -33,7 +34,8 @@ pub type Unknown = String;
 /// A word before a number that says what the number is of.
 const KINDS: [&str; 4] = ["alarm", "parameter", "variable", "code"];
 
-/// The things that words ask about. `is_file` says whether a name in front of a line number is a program's.
+/// The things that words ask about. `is_file` says whether a name is that of a file, such as a program's in front of a
+/// line number.
 pub fn read(
     words: &[String],
     book: &Book,
@@ -109,6 +111,7 @@ fn one(word: &str, book: &Book, is_file: &dyn Fn(&str) -> bool) -> Result<Vec<As
     match names::parameters(word, book.table()) {
         Ok(keys) => Ok(of_keys(keys)),
         Err(error @ NameError::Ambiguous(..)) => Err(name_error(&error, book.dialect.name, book.catalogue)),
+        _ if is_file(word) => Ok(vec![Asked::Place(word.into(), 0, None)]),
         _ => Err(unknown(word, book)),
     }
 }

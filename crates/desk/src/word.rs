@@ -26,7 +26,8 @@ impl Book {
         };
         let line = place::line(programs, number, self.dialect, &self.memory.parameters);
         let line = line.map_err(OpenError::Io)?;
-        let Some(line) = line else { return Ok(Err(label("label-explain-no-block", &[]))) };
+        let none = if number == 0 { "label-explain-no-line" } else { "label-explain-no-block" };
+        let Some(line) = line else { return Ok(Err(label(none, &[]))) };
         let spots = match column {
             None => self.spots(&line),
             Some(column) => match line.at(column) {

@@ -520,7 +520,8 @@ impl Job {
     }
 }
 
-fn open_text(path: &Path) -> Result<Text, OpenError> {
+/// The text of a file, or of standard input.
+pub fn open_text(path: &Path) -> Result<Text, OpenError> {
     match path == Path::new("-") {
         true => Text::from_reader(std::io::stdin().lock()),
         false => Text::open(path),

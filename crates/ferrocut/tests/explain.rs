@@ -285,6 +285,33 @@ fn the_word_at_a_place_is_explained_where_it_stands() {
 }
 
 #[test]
+fn a_file_without_a_line_and_a_drawing_are_told_as_such() {
+    let folder = tempfile::tempdir().unwrap();
+    let program = write(&folder, "part.nc", PROGRAM);
+    for what in [&program, &format!("{program}:0")] {
+        let answer = explain(&[what]);
+        let says = format!("error: {program} is a program: name a line of it, {program}:12, ");
+        assert!(answer.code == 2 && answer.err.starts_with(&says), "{}", answer.err);
+    }
+    let dxf = "%\n0\nSECTION\n2\nENTITIES\n0\nENDSEC\n0\nEOF\n";
+    for (name, text, kind) in
+        [("a.dxf", dxf, "DXF"), ("a.plt", "IN;PU0,0;\n", "PLT"), ("a.nc", "IN;PU0,0;\n", "PLT")]
+    {
+        let file = write(&folder, name, text);
+        for place in [&file, &format!("{file}:1"), &format!("{file}:1:1")] {
+            let answer = explain(&[place]);
+            assert_eq!((answer.code, answer.out.as_str()), (2, ""), "{place}");
+            let says = format!("error: {file} is a {kind} drawing");
+            assert!(
+                answer.err.starts_with(&says) && answer.err.contains("ferrocut import"),
+                "{}",
+                answer.err
+            );
+        }
+    }
+}
+
+#[test]
 fn what_does_not_exist_is_told_in_a_sentence_with_near_matches() {
     for (what, says) in [
         ("G77", "error: gsk990mc has no code G77; near it: G76, G74, G73, G87\n"),

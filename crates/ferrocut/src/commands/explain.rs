@@ -3,14 +3,15 @@
 use crate::cli::{Common, Show};
 use crate::commands::names::complain;
 use crate::diagnostics::Diagnostics;
-use crate::job::{Exit, Failure, Shop};
+use crate::drawing::{Opened, Source};
+use crate::job::{Exit, Failure, Shop, open_text};
 use crate::stdout;
 use clap::Args;
 use ferrocut_desk::{Asked, Page, asked, memory_of};
 use ferrocut_interpreter::{Dialect, dialects};
-use ferrocut_machine::{Alarm, Fault, Machine, Memory};
-use ferrocut_program::{OpenError, ProgramMemory, Span, Text};
-use std::io::{self, Write};
+use ferrocut_machine::{Machine, Memory};
+use ferrocut_program::ProgramMemory;
+use std::io::Write;
 use std::ops::Deref;
 use std::path::{Path, PathBuf};
 
@@ -134,10 +135,9 @@ fn pages_of(book: &Book, things: &[Asked]) -> Result<Vec<Page>, String> {
     for thing in things {
         match thing {
             Asked::Place(file, line, column) => {
-                let name = file.to_string_lossy();
-                let found = open_program(file, book.dialect)
-                    .and_then(|mut programs| book.place(&name, &mut programs, *line, *column));
-                pages.extend(found.map_err(|error| open_error(&name, &error, &book.diagnostics))??);
+                let mut programs = open_program(file, book)?;
+                let found = book.place(&file.to_string_lossy(), &mut programs, *line, *column);
+                pages.extend(found.map_err(|error| told(&Failure::of_open(file, error), book))??);
             }
             thing => pages.extend(book.page(thing)),
         }
@@ -145,23 +145,24 @@ fn pages_of(book: &Book, things: &[Asked]) -> Result<Vec<Page>, String> {
     Ok(pages)
 }
 
-fn open_program(file: &Path, dialect: &'static Dialect) -> Result<ProgramMemory, OpenError> {
-    match file == Path::new("-") {
-        true => Text::from_reader(io::stdin().lock())
-            .map(|text| ProgramMemory::new("standard input", text, dialect.syntax)),
-        false => ProgramMemory::open(file, dialect.syntax),
-    }
+/// The program in a file; what it is instead in a sentence.
+fn open_program(file: &Path, book: &Book) -> Result<ProgramMemory, String> {
+    let text = match Source::open(file, None).map_err(|failure| told(&failure, book))? {
+        Opened::Drawing(source) => {
+            let named = [("file", source.name.as_str().into()), ("kind", source.format.name().into())];
+            return Err(book.catalogue.label("label-explain-drawing", &named));
+        }
+        Opened::Program(text) => text.map_or_else(|| open_text(file), Ok),
+    };
+    let text = text.map_err(|error| told(&Failure::of_open(file, error), book))?;
+    Ok(match file == Path::new("-") {
+        true => ProgramMemory::new("standard input", text, book.dialect.syntax),
+        false => ProgramMemory::at(file, text, book.dialect.syntax),
+    })
 }
 
-fn open_error(name: &str, error: &OpenError, diagnostics: &Diagnostics) -> String {
-    let alarm = |fault| Alarm::core(fault, Span::default()).with("file", name);
-    let alarm = match error {
-        OpenError::Io(error) => alarm(Fault::FileUnreadable).with("reason", error.to_string()),
-        OpenError::Folder => alarm(Fault::FileUnreadable).with("reason", "it is a folder"),
-        OpenError::NotText | OpenError::Utf16 => alarm(Fault::FileNotText),
-        OpenError::Empty => alarm(Fault::FileEmpty),
-    };
-    diagnostics.message(&alarm, None)
+fn told(failure: &Failure, book: &Book) -> String {
+    book.diagnostics.message(&failure.alarm, None)
 }
 
 /// The control language that a command is about.
