@@ -3,7 +3,7 @@
 
 mod common;
 
-use common::{answer, command, ferrocut, json, json_lines};
+use common::{answer, command, ferrocut, json, json_lines, with_input};
 use ferrocut_geometry::Position;
 use ferrocut_machine::setup::VariableName;
 use ferrocut_machine::{ToolOffset, WorkOffset};
@@ -115,6 +115,23 @@ fn a_backup_goes_to_a_pipe() {
     std::fs::write(&file, &piped.out).unwrap();
     let checked = ferrocut(&["memory", "check", &file]);
     assert_eq!(checked.code, 0, "{} {}", checked.out, checked.err);
+    assert!(!common::root().join("-").exists());
+    // And comes from one.
+    let restored = folder.path().join("restored").to_str().unwrap().to_owned();
+    for (arguments, says) in [
+        (&["memory", "check", "-"][..], "-: whole, a backup of gsk990mc"),
+        (&["memory", "restore", "-", &restored], "programs, offsets"),
+    ] {
+        let answer = with_input(arguments, &piped.out);
+        assert!(answer.code == 0 && answer.out.contains(says), "{} {}", answer.out, answer.err);
+        let cut = with_input(arguments, &piped.out[..piped.out.len() - 9]);
+        assert!(cut.code == 1 && cut.err.contains("FC-1210"), "{}", cut.err);
+        assert_eq!(with_input(arguments, "").code, 2);
+    }
+    assert!(ferrocut(&["memory", "show", &restored, "--item", "programs"]).out.contains("O1234"));
+    // A memory does not.
+    let refused = ferrocut(&["memory", "restore", &file, "-"]);
+    assert!(refused.code == 2 && refused.err.contains("a memory is a folder"), "{}", refused.err);
     assert!(!common::root().join("-").exists());
     let json_said = ferrocut(&["memory", "backup", &path, "-o", "-", "--format", "json"]);
     assert_eq!(json(&json_said.err)["items"]["offsets"], 1);

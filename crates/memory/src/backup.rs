@@ -31,7 +31,7 @@ use serde::{Deserialize, Serialize};
 use std::cmp::Ordering;
 use std::fmt;
 use std::fs::{self, File};
-use std::io::{self, BufRead, BufReader, BufWriter, Read, Write};
+use std::io::{self, BufRead, BufReader, BufWriter, Read, Seek, Write};
 use std::path::{Path, PathBuf};
 
 /// The version of the format.
@@ -242,7 +242,8 @@ fn write(
 /// A backup that was found whole.
 #[derive(Debug)]
 pub struct Backup {
-    path: PathBuf,
+    name: String,
+    file: File,
     control: String,
     time: Time,
     commits: u64,
@@ -287,10 +288,11 @@ impl<R: BufRead> Lines<R> {
 
 /// Reads a backup, and gives each row away. Says what it is and its sum.
 fn read(
-    path: &Path,
+    mut file: &File,
     mut each: impl FnMut(Item, Row) -> Result<(), Error>,
 ) -> Result<(Head, Vec<BackupEntry>, String), Error> {
-    let mut lines = Lines::new(BufReader::new(File::open(path)?));
+    file.rewind()?;
+    let mut lines = Lines::new(BufReader::new(file));
     let head = head(&mut lines)?;
     let mut items = Vec::new();
     for name in &head.items {
@@ -473,9 +475,14 @@ impl<'de> Visitor<'de> for OneCell {
 impl Backup {
     /// Opens a backup and judges all of it.
     pub fn open(path: &Path) -> Result<Backup, Error> {
-        let (head, entries, sum) = read(path, |_, _| Ok(()))?;
+        Backup::of(File::open(path)?, &path.to_string_lossy())
+    }
+
+    /// Judges a file that is open. The log of what is restored calls it by `name`.
+    pub fn of(file: File, name: &str) -> Result<Backup, Error> {
+        let (head, entries, sum) = read(&file, |_, _| Ok(()))?;
         let Head { control, time, commits, .. } = head;
-        Ok(Backup { path: path.to_owned(), control, time, commits, entries, sum })
+        Ok(Backup { name: name.to_owned(), file, control, time, commits, entries, sum })
     }
 
     /// The control that it is of.
@@ -524,8 +531,8 @@ impl Backup {
                 _ => {}
             }
         }
-        let (path, sum, author, items) =
-            (self.path.clone(), self.sum.clone(), author.clone(), items.to_vec());
+        let file = self.file.try_clone()?;
+        let (sum, author, items) = (self.sum.clone(), author.clone(), items.to_vec());
         let names: Vec<&str> = items.iter().map(|item| item.name()).collect();
         let entry = LogEntry {
             time: now(),
@@ -533,12 +540,12 @@ impl Backup {
             who: author.name().to_owned(),
             item: "memory".to_owned(),
             name: "restored".to_owned(),
-            from: self.path.to_string_lossy().into_owned(),
+            from: self.name.clone(),
             to: names.join(" "),
         };
         store.within_commit(move |applier| {
             items.iter().try_for_each(|item| applier.check_restore(&author, *item))?;
-            restore(applier, &path, &sum, &author, &items)?;
+            restore(applier, &file, &sum, &author, &items)?;
             applier.log(&entry)?;
             applier.read_parameters()
         })
@@ -588,7 +595,7 @@ impl Store {
 
 fn restore(
     applier: &mut Applier,
-    path: &Path,
+    file: &File,
     sum: &str,
     author: &Author,
     items: &[Item],
@@ -597,7 +604,7 @@ fn restore(
         applier.clear_for_restore(*item)?;
     }
     let mut histories: Vec<(Item, Vec<Row>)> = Vec::new();
-    let (_, _, now) = read(path, |item, row| {
+    let (_, _, now) = read(file, |item, row| {
         if !items.contains(&item) {
             return Ok(());
         }

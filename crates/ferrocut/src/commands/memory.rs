@@ -9,6 +9,7 @@ pub use keep::open;
 use crate::cli::{Common, Show};
 use crate::diagnostics::Diagnostics;
 use crate::job::{Exit, Failure};
+use clap::builder::{PathBufValueParser, TypedValueParser};
 use clap::{Args, Subcommand};
 use ferrocut_machine::Alarm;
 use ferrocut_memory::damage::Damage;
@@ -76,7 +77,7 @@ pub struct ShowArgs {
     ferrocut memory check /var/lib/ferrocut /media/usb/mill.backup"
 )]
 pub struct CheckArgs {
-    /// Folders of memories, and backups
+    /// Folders of memories, and backups; - is a backup on standard input
     #[arg(value_name = "PATH", required = true)]
     pub paths: Vec<PathBuf>,
     /// How results are printed.
@@ -115,13 +116,14 @@ pub struct BackupArgs {
     is made. The control must not run. {ITEMS}\n\n\
     Examples:\n  \
     ferrocut memory restore mill.backup /var/lib/ferrocut\n  \
-    ferrocut memory restore mill.backup /var/lib/ferrocut --item parameters,pitch"))]
+    ferrocut memory restore mill.backup /var/lib/ferrocut --item parameters,pitch\n  \
+    gzip -dc mill.backup.gz | ferrocut memory restore - /var/lib/ferrocut"))]
 pub struct RestoreArgs {
-    /// The backup
+    /// The backup; - reads standard input
     #[arg(value_name = "FILE")]
     pub file: PathBuf,
     /// The folder of the memory
-    #[arg(value_name = "FOLDER")]
+    #[arg(value_name = "FOLDER", value_parser = folder())]
     pub folder: PathBuf,
     /// Only these items [default: all that the backup holds, but position and interrupted]
     #[arg(long, value_name = "ITEM", value_delimiter = ',', value_parser = item)]
@@ -166,7 +168,7 @@ pub struct RecoverArgs {
 )]
 pub struct PasswordArgs {
     /// The folder of the memory
-    #[arg(value_name = "FOLDER")]
+    #[arg(value_name = "FOLDER", value_parser = folder())]
     pub folder: PathBuf,
     /// Make a memory of this control where there is none yet
     #[arg(long, value_name = "NAME")]
@@ -205,6 +207,14 @@ pub fn run(args: &MemoryArgs) -> Result<Exit, Failure> {
         MemoryCommand::Recover(args) => keep::recover(args, &diagnostics),
         MemoryCommand::Password(args) => keep::password(args, &diagnostics),
     }
+}
+
+/// A folder that is made where there is none; - is no name for one.
+fn folder() -> impl TypedValueParser<Value = PathBuf> {
+    PathBufValueParser::new().try_map(|folder| match folder.as_os_str() == "-" {
+        true => Err("a memory is a folder; only a backup goes through - (./- is a folder of this name)"),
+        false => Ok(folder),
+    })
 }
 
 fn item(name: &str) -> Result<Item, String> {

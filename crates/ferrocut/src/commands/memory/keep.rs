@@ -14,6 +14,7 @@ use ferrocut_machine::{Alarm, Fault};
 use ferrocut_memory::{Backup, Level, OpenError, Reader, Seat, Settings, Store, damage};
 use ferrocut_program::Span;
 use serde_json::json;
+use std::fs::File;
 use std::io::{self, BufRead, Read};
 use std::path::Path;
 
@@ -66,12 +67,28 @@ pub fn back_up(args: &BackupArgs, diagnostics: &Diagnostics) -> Result<Exit, Fai
     Ok(Exit::Fine)
 }
 
+/// A backup that was judged. One on standard input or in a pipe can be read once, and is copied first.
+pub fn opened_backup(path: &Path) -> Result<Backup, Failure> {
+    if path.is_dir() {
+        return Err(Failure::of_open(path, ferrocut_program::OpenError::Folder));
+    }
+    let opened = match path == Path::new("-") {
+        true => copied(io::stdin().lock()),
+        false => File::open(path).and_then(|file| if path.is_file() { Ok(file) } else { copied(file) }),
+    };
+    let file = opened.map_err(|error| Failure::unreadable(&name(path), &error.to_string()))?;
+    Backup::of(file, &name(path)).map_err(|error| refused_backup(path, &error))
+}
+
+fn copied(mut from: impl Read) -> io::Result<File> {
+    let mut file = tempfile::tempfile()?;
+    io::copy(&mut from, &mut file)?;
+    Ok(file)
+}
+
 /// Restores a backup.
 pub fn restore(args: &RestoreArgs, diagnostics: &Diagnostics) -> Result<Exit, Failure> {
-    if let Err(error) = std::fs::File::open(&args.file) {
-        return Err(Failure::unreadable(&name(&args.file), &error.to_string()));
-    }
-    let backup = Backup::open(&args.file).map_err(|error| refused_backup(&args.file, &error))?;
+    let backup = opened_backup(&args.file)?;
     let items = match args.item.as_slice() {
         [] => backup.items(),
         named => named.to_vec(),

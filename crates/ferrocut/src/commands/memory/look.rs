@@ -1,10 +1,11 @@
 //! `ferrocut memory show` and `check`.
 
-use super::{CheckArgs, ShowArgs, label, name, refused, refused_backup, tables, unopened, utc};
+use super::keep::opened_backup;
+use super::{CheckArgs, ShowArgs, label, name, refused, tables, unopened, utc};
 use crate::commands::layout::{print, table};
 use crate::diagnostics::Diagnostics;
 use crate::job::{Exit, Failure};
-use ferrocut_memory::{Backup, Damage, Finding, OpenError, Reader, Source, damage};
+use ferrocut_memory::{Damage, Finding, OpenError, Reader, Source, damage};
 use serde_json::{Map, Value, json};
 use std::path::Path;
 
@@ -156,10 +157,7 @@ fn say_damage(file: &str, damage: &Damage, diagnostics: &Diagnostics) {
 
 fn check_backup(path: &Path, diagnostics: &Diagnostics) -> Result<Exit, Failure> {
     let file = name(path);
-    if let Err(error) = std::fs::File::open(path) {
-        return Err(Failure::unreadable(&file, &error.to_string()));
-    }
-    let backup = Backup::open(path).map_err(|error| refused_backup(path, &error))?;
+    let backup = opened_backup(path)?;
     if diagnostics.is_json() {
         let rows: Map<String, Value> =
             backup.entries().iter().map(|e| (e.item.name().to_owned(), e.rows.into())).collect();
