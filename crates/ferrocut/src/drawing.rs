@@ -8,7 +8,7 @@ use ferrocut_exchange::write::Ends;
 use ferrocut_exchange::{By, Drawing, Format, Order, Program, Settings, Style, plan, recognise, write};
 use ferrocut_interpreter::{Dialect, Origins};
 use ferrocut_machine::{Alarm, Fault, ImportSetup, Parameters};
-use ferrocut_program::{FileId, ProgramMemory, Span, Text};
+use ferrocut_program::{FileId, OpenError, ProgramMemory, Span, Text};
 use std::fs::File;
 use std::io::{self, Read, Write};
 use std::path::Path;
@@ -99,6 +99,7 @@ impl Source {
         if let Some((settings, format)) = told {
             let bytes = match is_input {
                 true => all(io::stdin().lock()),
+                false if path.is_dir() => return Err(Failure::of_open(path, OpenError::Folder)),
                 false => File::open(path).and_then(all),
             };
             let bytes = bytes.map_err(unreadable)?;
@@ -142,6 +143,9 @@ impl Source {
             let alarm = Alarm::core(Fault::NoWriter, Span::default()).with("name", dialect.name);
             return Err(Failure::new(Box::new(alarm), Exit::WrongUse));
         };
+        if self.bytes.trim_ascii().is_empty() {
+            return Err(Failure::of_open(Path::new(&self.name), OpenError::Empty));
+        }
         // Some controls read I and J as a parameter says (Weihong 4.3, G02).
         let centre_is_absolute = (dialect.rules)(parameters).motion.centre_is_absolute;
         let style = &Style { centre_is_absolute, ..*style };

@@ -232,6 +232,31 @@ fn wrong_use_is_told_as_such() {
 }
 
 #[test]
+fn a_folder_and_an_empty_file_are_told_as_such() {
+    let folder = tempfile::tempdir().unwrap();
+    let place = folder.path().to_str().unwrap();
+    let named = folder.path().join("folder.dxf");
+    std::fs::create_dir(&named).unwrap();
+    for options in [&[][..], &["--from", "plt"]] {
+        for file in [place, named.to_str().unwrap()] {
+            let answer = ferrocut(&[&["import", file], options].concat());
+            let says = format!("{file}: it is a folder");
+            assert!(answer.code == 2 && answer.err.contains(&says), "{options:?}: {}", answer.err);
+        }
+        for name in ["empty.dxf", "empty.plt", "empty.nc"] {
+            for text in ["", " \r\n\n"] {
+                let file = write(&folder, name, text);
+                let answer = ferrocut(&[&["import", file.as_str()], options].concat());
+                assert!(answer.code == 1 && answer.err.contains("FC-0903"), "{name}: {}", answer.err);
+                assert!(answer.err.contains(&file), "{}", answer.err);
+            }
+        }
+    }
+    let answer = with_input(&["import", "-"], "");
+    assert!(answer.code == 1 && answer.err.contains("FC-0903"), "{}", answer.err);
+}
+
+#[test]
 fn what_has_no_effect_is_refused() {
     for switch in ["--block-skip", "--optional-stop"] {
         let answer = ferrocut(&["import", "examples/drawings/plate.dxf", switch]);

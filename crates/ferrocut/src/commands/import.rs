@@ -4,14 +4,14 @@ use crate::cli::ImportArgs;
 use crate::commands::layout::print;
 use crate::commands::view::picture_format;
 use crate::drawing::{FromDrawing, Made, Opened, Source};
-use crate::job::{Exit, Failure, Shop};
+use crate::job::{Exit, Failure, Shop, open_text};
 use crate::outputs;
 use crate::view::{PathModel, render};
 use ferrocut_exchange::write::Ends;
 use ferrocut_exchange::{Change, Drawing, Format, Order, Settings, settings};
 use ferrocut_interpreter::Options;
 use ferrocut_machine::{Alarm, Argument, Fault};
-use ferrocut_program::Span;
+use ferrocut_program::{OpenError, Span};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::io::{self, Write};
 use std::path::Path;
@@ -119,15 +119,13 @@ fn source(args: &ImportArgs, shop: &Shop) -> Result<Box<Source>, Failure> {
             source.settings = settings;
             Ok(source)
         }
-        Opened::Program(_) => {
-            let path = &args.file;
-            // A file that is not there is told as such.
-            if path != Path::new("-") {
-                std::fs::metadata(path)
-                    .map_err(|e| Failure::unreadable(&path.to_string_lossy(), &e.to_string()))?;
+        Opened::Program(text) => match text.map_or_else(|| open_text(&args.file), Ok) {
+            Ok(_) | Err(OpenError::NotText | OpenError::Utf16) => {
+                Err(Failure::no_drawing(&args.file.to_string_lossy()))
             }
-            Err(Failure::no_drawing(&path.to_string_lossy()))
-        }
+            // A file that is not there, a folder, or one that is empty, is told as such.
+            Err(error) => Err(Failure::of_open(&args.file, error)),
+        },
     }
 }
 
