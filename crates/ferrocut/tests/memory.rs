@@ -270,6 +270,28 @@ fn wrong_use_is_told() {
         let missing = ferrocut(&arguments);
         assert_eq!((missing.code, missing.err.contains("FC-1208")), (2, true), "{}", missing.err);
     }
+    // A file is no folder, and is left as it is.
+    let file = common::write(&folder, "mill.backup", "text");
+    for arguments in [
+        &["memory", "show", &file][..],
+        &["memory", "check", &file],
+        &["memory", "recover", &file],
+        &["memory", "backup", &file, "-o", &format!("{file}.2")],
+        &["memory", "password", &file, "--level", "1", "--dialect", "gsk990mc"],
+        &["serve", "--headless", "--tcp", "127.0.0.1:0", "--memory", &file],
+    ] {
+        let answer = answer(command(arguments).write_stdin("correct horse\n"));
+        assert!(answer.code == 2 && answer.err.contains(&file), "{arguments:?}: {}", answer.err);
+        assert!(!answer.err.contains("FC-1205"), "{arguments:?}: {}", answer.err);
+    }
+    // What a backup cannot be written to is no fault of the memory's disk.
+    for (output, says) in
+        [(path.as_str(), "FC-0910"), (empty.as_str(), "FC-0907"), ("no/such/folder/mill.backup", "FC-0907")]
+    {
+        let answer = ferrocut(&["memory", "backup", &path, "-o", output]);
+        assert!(answer.code == 2 && answer.err.contains(says), "{output}: {}", answer.err);
+        assert!(answer.err.contains(output), "{output}: {}", answer.err);
+    }
     // Looking makes nothing.
     assert!(!Path::new(&empty).join("memory.db").exists());
     let wrong = ferrocut(&["memory", "show", &path, "--item", "tools"]);

@@ -32,7 +32,7 @@ impl Whole {
             && match fs::read_dir(folder) {
                 Ok(mut entries) => entries
                     .all(|entry| entry.is_ok_and(|e| !e.file_name().to_string_lossy().starts_with(ASIDE))),
-                Err(error) => error.kind() == ErrorKind::NotFound,
+                Err(error) => matches!(error.kind(), ErrorKind::NotFound | ErrorKind::NotADirectory),
             }
     }
 

@@ -176,6 +176,9 @@ impl Store {
     /// Opens the memory in a folder, and makes an empty one where there never was any. All that it holds is
     /// looked at first: structure, every row, every total, and whether each reported commit is there.
     pub fn open(folder: &Path, settings: Settings) -> Result<Store, OpenError> {
+        if folder.is_file() {
+            return Err(OpenError::Missing);
+        }
         fs::create_dir_all(folder)?;
         let lock = lock(folder)?.ok_or(OpenError::Busy)?;
         let path = folder.join(DATABASE);

@@ -11,7 +11,7 @@ use crate::outputs;
 use crate::stdout;
 use ferrocut_interpreter::dialects;
 use ferrocut_machine::{Alarm, Fault};
-use ferrocut_memory::{Backup, Level, OpenError, Reader, Seat, Settings, Store, damage};
+use ferrocut_memory::{Backup, Error, Level, OpenError, Reader, Seat, Settings, Store, damage};
 use ferrocut_program::Span;
 use serde_json::json;
 use std::fs::File;
@@ -38,7 +38,7 @@ pub fn back_up(args: &BackupArgs, diagnostics: &Diagnostics) -> Result<Exit, Fai
     damage::check(&args.folder).map_err(|error| unopened(&args.folder, &error))?;
     let reader = Reader::open(&args.folder).map_err(|error| unopened(&args.folder, &error))?;
     let of_memory = std::fs::read_dir(&args.folder).into_iter().flatten().flatten();
-    outputs::check(&args.output, of_memory.map(|file| file.path()))?;
+    outputs::check(&args.output, of_memory.map(|file| file.path()).chain([args.folder.clone()]))?;
     let is_piped = args.output == Path::new("-");
     let entries = match is_piped {
         true => reader.back_up_to(io::BufWriter::new(stdout::lock()), &items(&args.item)),
@@ -48,6 +48,7 @@ pub fn back_up(args: &BackupArgs, diagnostics: &Diagnostics) -> Result<Exit, Fai
         Ok(entries) => entries,
         // What became of standard output is told at the end: a reader that went away is no fault.
         Err(_) if is_piped && stdout::is_lost() => return Ok(Exit::Fine),
+        Err(Error::Disk(reason)) => return Err(Failure::cannot_write_for(&name(&args.output), &reason)),
         Err(error) => return Err(refused(&error)),
     };
     let file = name(&args.output);
