@@ -15,6 +15,27 @@ fn mill(folder: &TempDir) -> String {
     write(folder, "mill.toml", format!("{}{SET}", Machine::DEMO_MILL))
 }
 
+#[test]
+fn what_is_no_machine_file_and_what_is_no_number_are_told() {
+    let folder = tempdir().unwrap();
+    let program = write(&folder, "part.nc", "O1\nG0 X1\n#1=5\nM30\n");
+    let answer = ferrocut(&["machine", "check", &program]);
+    let says = "no machine file: it has no axes; \"ferrocut machine new\"";
+    assert!(answer.code == 1 && answer.out.contains(says), "{}", answer.out);
+    let answer = ferrocut(&["run", &program, "--machine", &program]);
+    assert!(answer.code == 2 && answer.err.contains(says), "{}", answer.err);
+    for (from, to, says) in [
+        ("max = 500.0", "max = inf", "axes X: max is inf: it must be a finite number"),
+        ("min = -500.0", "min = nan", "axes X: min is NaN: it must be a finite number"),
+        ("max = 500.0", "max = -500.0", "axes X: min -500 must be below max -500"),
+        ("rapid = 15000.0", "rapid = inf", "axes X: rapid is inf: it must be a finite number"),
+    ] {
+        let file = write(&folder, "mill.toml", Machine::DEMO_MILL.replacen(from, to, 1));
+        let answer = ferrocut(&["machine", "check", &file]);
+        assert!(answer.code == 1 && answer.out.contains(says), "{to}: {}", answer.out);
+    }
+}
+
 fn params(arguments: &[&str]) -> Answer {
     ferrocut(&[&["machine", "params"], arguments].concat())
 }
@@ -116,7 +137,6 @@ fn list_shows_value_default_range_unit_and_meaning() {
     assert_eq!(found.lines().count(), 2);
     let plc = prints(&["list", "--room", "plc"]);
     assert!(plc.lines().skip(1).all(|l| l.contains("  plc  ")) && plc.contains("NO53.0"));
-    assert_eq!(prints(&["list", "--changed"]), "no such parameter\n");
     let changed = prints(&["list", "--changed", "--machine", &mill]);
     assert!(changed.lines().skip(1).all(|l| l.starts_with('*')) && changed.lines().count() == 3, "{changed}");
     assert!(prints(&["list", "--language", "zh"]).lines().next().unwrap().contains("缺省值"));
@@ -128,7 +148,10 @@ fn list_shows_value_default_range_unit_and_meaning() {
     );
     fails(&["list", "--find", "nothing"], 2, &["error: no parameter of gsk990mc matches nothing\n"]);
     fails(&["list", "--find", "retract", "--room", "plc"], 2, &["matches retract"]);
-    assert_eq!(prints(&["list", "--find", "retract distance", "--changed"]), "no such parameter\n");
+    for few in [&["--find", "retract distance"][..], &["--room", "plc"], &[]] {
+        let unchanged = prints(&[&["list", "--changed"], few].concat());
+        assert_eq!(unchanged, "none of these parameters differs from its default\n");
+    }
     fails(&["list", "--room", "kitchen"], 2, &["there is no room kitchen; the rooms are acceleration, "]);
 }
 

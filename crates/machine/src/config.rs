@@ -1,6 +1,6 @@
 //! The machine file: axes with their limits, spindle, tool changer, path control.
 
-use crate::config_error::{ConfigError, not_negative, positive, within};
+use crate::config_error::{ConfigError, finite, not_negative, positive, within};
 use crate::drives::DrivesConfig;
 use crate::handshake::{GearConfig, HandshakeConfig};
 use crate::homing::{AxisHoming, HomingConfig};
@@ -275,7 +275,11 @@ impl Machine {
 
     /// Reads a machine file and checks that every number makes a machine.
     pub fn from_toml(text: &str) -> Result<Machine, ConfigError> {
-        let machine: Machine = toml::from_str(text).map_err(|e| ConfigError::toml(&e))?;
+        let machine: Machine = toml::from_str(text).map_err(|e| match text.contains("axes") {
+            true => ConfigError::toml(&e),
+            // Such as a part program: what TOML has against it says nothing.
+            false => ConfigError::label("label-config-no-machine"),
+        })?;
         machine.check()?;
         Ok(machine)
     }
@@ -292,7 +296,9 @@ impl Machine {
                 return Err(ConfigError::twice(format!("axes {name}")));
             }
             seen = seen.with(axis.name);
-            if !(axis.min < axis.max && axis.min.is_finite() && axis.max.is_finite()) {
+            finite(&format!("axes {name}: min"), axis.min)?;
+            finite(&format!("axes {name}: max"), axis.max)?;
+            if axis.min >= axis.max {
                 let error = ConfigError::label("label-config-order").with("what", format!("axes {name}"));
                 return Err(error.with("min", axis.min).with("max", axis.max));
             }

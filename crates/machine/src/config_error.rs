@@ -131,9 +131,18 @@ impl fmt::Display for ConfigError {
 
 impl std::error::Error for ConfigError {}
 
+/// A number that must not be `inf` or `nan`, which TOML has too.
+pub(crate) fn finite(what: &str, value: f64) -> Result<(), ConfigError> {
+    match value.is_finite() {
+        true => Ok(()),
+        false => Err(ConfigError::label("label-config-finite").with("what", what).with("value", value)),
+    }
+}
+
 /// A number that must be above 0.
 pub(crate) fn positive(what: &str, value: f64) -> Result<(), ConfigError> {
-    match value > 0.0 && value.is_finite() {
+    finite(what, value)?;
+    match value > 0.0 {
         true => Ok(()),
         false => Err(ConfigError::label("label-config-positive").with("what", what).with("value", value)),
     }
@@ -141,7 +150,8 @@ pub(crate) fn positive(what: &str, value: f64) -> Result<(), ConfigError> {
 
 /// A number that must be 0 or more.
 pub(crate) fn not_negative(what: &str, value: f64) -> Result<(), ConfigError> {
-    match value >= 0.0 && value.is_finite() {
+    finite(what, value)?;
+    match value >= 0.0 {
         true => Ok(()),
         false => Err(ConfigError::label("label-config-not-negative").with("what", what).with("value", value)),
     }

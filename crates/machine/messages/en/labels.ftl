@@ -179,7 +179,7 @@ label-params-use = use
 label-params-kept = kept
 label-params-used = used
 label-params-meaning = meaning
-label-params-none = no such parameter
+label-params-unchanged = none of these parameters differs from its default
 label-params-no-match = no parameter of { $dialect } matches { $name }
 label-params-checked = { $parameters ->
     [one] 1 parameter
@@ -310,6 +310,8 @@ label-config-not-negative = { $what } is { $value }: it must be 0 or more
 label-config-range = { $what } is { $value }: it must be { $min } to { $max }
 label-config-count = { $what }: there are { $value }, there may be { $min } to { $max }
 label-config-twice = { $what } stands twice
+label-config-finite = { $what } is { $value }: it must be a finite number
+label-config-no-machine = this is no machine file: it has no axes; "ferrocut machine new" writes one to start from
 label-config-order = { $what }: min { $min } must be below max { $max }
 label-config-unequal = { $what }: there are { $value }, and { $count } of { $other }: there must be as many
 label-config-either = { $what }: it needs either { $one } or { $other }

@@ -179,7 +179,7 @@ label-params-use = uso
 label-params-kept = guardado
 label-params-used = usado
 label-params-meaning = significado
-label-params-none = no existe ese parámetro
+label-params-unchanged = ninguno de estos parámetros difiere de su valor de fábrica
 label-params-no-match = ningún parámetro de { $dialect } coincide con { $name }
 label-params-checked = { $parameters ->
     [one] 1 parámetro comprobado
@@ -311,6 +311,8 @@ label-config-not-negative = { $what } es { $value }: debe ser 0 o más
 label-config-range = { $what } es { $value }: debe ser de { $min } a { $max }
 label-config-count = { $what }: hay { $value }, puede haber de { $min } a { $max }
 label-config-twice = { $what } está dos veces
+label-config-finite = { $what } es { $value }: debe ser un número finito
+label-config-no-machine = no es un archivo de máquina: no tiene axes; "ferrocut machine new" escribe uno para empezar
 label-config-order = { $what }: min { $min } debe ser menor que max { $max }
 label-config-unequal = { $what }: hay { $value }, y { $count } de { $other }: debe haber los mismos
 label-config-either = { $what }: necesita { $one } o bien { $other }

@@ -189,7 +189,7 @@ label-params-use = использование
 label-params-kept = хранится
 label-params-used = используется
 label-params-meaning = назначение
-label-params-none = такого параметра нет
+label-params-unchanged = ни один из этих параметров не отличается от значения по умолчанию
 label-params-no-match = в { $dialect } ни один параметр не подходит под { $name }
 label-params-checked = { $parameters ->
     [one] проверен { $parameters } параметр
@@ -336,6 +336,8 @@ label-config-not-negative = { $what } равно { $value }: должно быт
 label-config-range = { $what } равно { $value }: должно быть от { $min } до { $max }
 label-config-count = { $what }: их { $value }, а может быть от { $min } до { $max }
 label-config-twice = { $what } указано дважды
+label-config-finite = { $what } равно { $value }: должно быть конечным числом
+label-config-no-machine = это не файл станка: в нём нет axes; файл для начала пишет "ferrocut machine new"
 label-config-order = { $what }: min { $min } должно быть меньше max { $max }
 label-config-unequal = { $what }: их { $value }, а { $other } — { $count }: должно быть поровну
 label-config-either = { $what }: нужно либо { $one }, либо { $other }

@@ -179,7 +179,7 @@ label-params-use = kullanım
 label-params-kept = saklanır
 label-params-used = kullanılır
 label-params-meaning = anlamı
-label-params-none = böyle bir parametre yok
+label-params-unchanged = bu parametrelerin hiçbiri varsayılan değerinden farklı değil
 label-params-no-match = { $dialect } kontrolünde { $name } ile eşleşen parametre yok
 label-params-checked = { $file } dosyasının { $parameters ->
     [one] 1 parametresi
@@ -309,6 +309,8 @@ label-config-not-negative = { $what } { $value }: 0 ya da daha büyük olmalı
 label-config-range = { $what } { $value }: { $min } ile { $max } arasında olmalı
 label-config-count = { $what }: { $value } tane var, { $min } ile { $max } arasında olabilir
 label-config-twice = { $what } iki kez geçiyor
+label-config-finite = { $what } { $value }: sonlu bir sayı olmalı
+label-config-no-machine = bu bir makine dosyası değil: içinde axes yok; "ferrocut machine new" başlangıç için bir tane yazar
 label-config-order = { $what }: min { $min }, max { $max } değerinden küçük olmalı
 label-config-unequal = { $what }: { $value } tane var, { $other } ise { $count } tane: sayıları eşit olmalı
 label-config-either = { $what }: ya { $one } ya da { $other } gerekir

@@ -171,7 +171,7 @@ label-params-use = 使用
 label-params-kept = 仅保存
 label-params-used = 使用
 label-params-meaning = 含义
-label-params-none = 没有这样的参数
+label-params-unchanged = 这些参数均与缺省值相同
 label-params-no-match = { $dialect } 没有与 { $name } 匹配的参数
 label-params-checked = 检查了 { $file } 的 { $parameters } 个参数：{ $findings ->
     [0] 无问题
@@ -294,6 +294,8 @@ label-config-not-negative = { $what } 为 { $value }：应为 0 或更大
 label-config-range = { $what } 为 { $value }：应为 { $min } 至 { $max }
 label-config-count = { $what }：有 { $value } 个，允许 { $min } 至 { $max } 个
 label-config-twice = { $what } 出现两次
+label-config-finite = { $what } 为 { $value }：应为有限的数
+label-config-no-machine = 这不是机床文件：其中没有 axes；"ferrocut machine new" 可写出一个起始文件
 label-config-order = { $what }：min { $min } 应小于 max { $max }
 label-config-unequal = { $what }：有 { $value } 个，而 { $other } 有 { $count } 个：数目应相同
 label-config-either = { $what }：需要 { $one } 或 { $other } 其中之一

@@ -152,7 +152,7 @@ fn list(args: &ListArgs, book: &Book) -> Result<Exit, Failure> {
         ]
     }));
     let _ = match empty {
-        true => writeln!(out, "{}", label("label-params-none")),
+        true => writeln!(out, "{}", label("label-params-unchanged")),
         false => write!(out, "{}", table(&cells)),
     };
     Ok(Exit::Fine)
