@@ -282,7 +282,8 @@ pub struct PlotArgs {
     /// The part program; - reads standard input
     #[arg(value_name = "FILE")]
     pub file: PathBuf,
-    /// The SVG file to write; - is standard output [default: standard output; none with --format json]
+    /// The SVG file to write; - is standard output, which leaves standard error for JSON [default: standard output;
+    /// none with --format json]
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
     /// Axes by their letters, such as XYZ [default: those that move]

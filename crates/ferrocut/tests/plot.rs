@@ -152,6 +152,28 @@ fn a_plot_ends_where_it_is_told_to() {
 }
 
 #[test]
+fn a_plot_begins_before_the_program_ends() {
+    let folder = TempDir::new().unwrap();
+    let file = folder.path().join("plot.svg").into_os_string().into_string().unwrap();
+    // Without the spindle, which runs up before motion begins.
+    let program = CORNER.trim_start_matches("M3 S1000\n");
+    let total = json(&with_input(&["time", "-", "--format", "json"], program).out);
+    let total = number(&total, "total_s");
+    for from in [1e9, total + 0.01] {
+        let answer = with_input(&["plot", "-", "-o", &file, "--from", &from.to_string()], program);
+        let says = format!("(--from: {from}; allowed: < ");
+        assert!(answer.code == 2 && answer.err.contains(&says), "{}", answer.err);
+        let length: f64 = answer.err.split(&says).nth(1).unwrap().split(')').next().unwrap().parse().unwrap();
+        assert!((length - total).abs() < 0.01, "{length} {total}");
+        assert!(!std::path::Path::new(&file).exists());
+    }
+    let from = (total - 0.01).to_string();
+    assert_eq!(with_input(&["plot", "-", "-o", &file, "--from", &from], program).code, 0);
+    // What does not move has a plot all the same.
+    assert_eq!(with_input(&["plot", "-"], "M30\n").code, 0);
+}
+
+#[test]
 fn an_alarm_leaves_the_plot_of_what_was_run() {
     let answer = with_input(&["plot", "-"], "G1 X10 F1000\nG1 X900\nM30\n");
     assert_eq!(answer.code, 1);
@@ -175,6 +197,10 @@ fn wrong_settings_are_told() {
     assert!(!common::root().join("a.png").exists());
     let piped = with_input(&["plot", "-", "-o", "-"], CORNER);
     assert!(piped.code == 0 && piped.out.starts_with("<svg"), "{}", piped.err);
+    // The picture that is asked for comes, and the figures beside it.
+    let both = with_input(&["plot", "-", "-o", "-", "--format", "json"], CORNER);
+    assert_eq!((both.code, both.out), (0, piped.out));
+    assert_eq!(json(&both.err)["state"], "ended");
     let help = ferrocut(&["plot", "--help"]).out;
     assert!(help.contains("Examples:") && help.contains("1 % of the limit"), "{help}");
     assert!(command(&["--help"]).output().unwrap().status.success());

@@ -52,7 +52,8 @@ impl JsonPeak {
 /// Runs the command.
 pub fn run(args: &PlotArgs) -> Result<Exit, Failure> {
     let shop = Shop::open(&args.common)?;
-    let output = args.output.as_deref().filter(|path| *path != Path::new("-"));
+    let is_piped = args.output.as_deref() == Some(Path::new("-"));
+    let output = args.output.as_deref().filter(|_| !is_piped);
     if let Some(output) = output {
         outputs::check_beside(output, &args.file, &args.common)?;
         let is_other = |extension: &OsStr| !extension.eq_ignore_ascii_case("svg");
@@ -81,11 +82,15 @@ pub fn run(args: &PlotArgs) -> Result<Exit, Failure> {
     // Measuring cannot fail.
     let _ = drive(&mut cnc, Clock::Virtual, &mut take, &mut screen, &shop.diagnostics, &name);
     screen.clear();
+    let length = gauge.time();
     gauge.finish();
     if args.axes.is_none() {
         gauge.axes.retain(|axis| axis.peaks.iter().any(|peak| peak.value > 0.0));
     }
     let exit = report_end(&cnc, &shop, &name);
+    if exit == Exit::Fine && args.from > 0.0 && args.from >= length {
+        return Err(Failure::plot_setting("--from", &args.from.to_string(), &format!("< {length:.3}")));
+    }
     let is_json = shop.diagnostics.is_json();
     let svg = || draw(&gauge, &name, &machine.name, &shop.diagnostics.catalogue());
     match output {
@@ -97,12 +102,16 @@ pub fn run(args: &PlotArgs) -> Result<Exit, Failure> {
                 layout::print(&format!("{said}\n"));
             }
         }
-        None if is_json => {}
+        None if is_json && !is_piped => {}
         None => layout::print(&svg()),
     }
     if is_json {
         let said = serde_json::json!(report(&gauge, &cnc, &name, &machine.name));
-        layout::print(&format!("{said}\n"));
+        match is_piped {
+            // Standard output is the picture's, as that of `import` is the program's.
+            true => eprintln!("{said}"),
+            false => layout::print(&format!("{said}\n")),
+        }
     }
     Ok(exit)
 }

@@ -161,7 +161,8 @@ impl Gauge {
         }
     }
 
-    fn time(&self) -> f64 {
+    /// Seconds since motion began.
+    pub fn time(&self) -> f64 {
         self.periods as f64 * self.period
     }
 

@@ -511,7 +511,7 @@ FC-0908 = A picture is a .png or a .svg file
     .detail = { $file }
 
 FC-0909 = The setting of the plot cannot be used
-    .help = Name axes of the machine, each by its letter, end later than you begin, and write an .svg file.
+    .help = Name axes of the machine, each by its letter, begin before the program ends, end later than you begin, and write an .svg file.
     .detail = { $setting }: { $value }; allowed: { $allowed }
 
 FC-0514 = A milling cycle is called while an axis is mirrored

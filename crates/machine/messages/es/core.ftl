@@ -511,7 +511,7 @@ FC-0908 = La imagen tiene que ser un archivo .png o .svg
     .detail = { $file }
 
 FC-0909 = El ajuste de la gráfica no sirve
-    .help = Indique ejes de la máquina, cada uno por su letra, acabe más tarde de lo que empieza y escriba un archivo .svg.
+    .help = Indique ejes de la máquina, cada uno por su letra, empiece antes de que acabe el programa, acabe más tarde de lo que empieza y escriba un archivo .svg.
     .detail = { $setting }: { $value }; admitido: { $allowed }
 
 FC-0514 = Ciclo de fresado con un eje en imagen espejo

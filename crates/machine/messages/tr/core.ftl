@@ -511,7 +511,7 @@ FC-0908 = Resim dosyası .png ya da .svg olmalı
     .detail = { $file }
 
 FC-0909 = Grafiğin ayarı kullanılamıyor
-    .help = Tezgâhın eksenlerini harfleriyle yazın; bitiş başlangıçtan sonra olsun ve dosya .svg olsun.
+    .help = Tezgâhın eksenlerini harfleriyle yazın; başlangıç programın bitişinden önce, bitiş başlangıçtan sonra olsun ve dosya .svg olsun.
     .detail = { $setting }: { $value }; izin verilen: { $allowed }
 
 FC-0514 = Bir eksen aynalanmışken frezeleme çevrimi çağrılıyor
