@@ -280,7 +280,13 @@ impl Shop {
         let parameter_file =
             common.var_file.as_deref().map(|path| read_config(path, ParameterFile::from_var, texts));
         // Who gives files of LinuxCNC says that the programs are too.
-        let linuxcnc = || (library.is_some() || parameter_file.is_some()).then(|| LINUXCNC.to_owned());
+        let files = [("--tool-table", library.is_some()), ("--var-file", parameter_file.is_some())];
+        let linuxcnc = files.into_iter().find_map(|(option, is_given)| is_given.then_some(option));
+        let named = common.dialect.as_ref().or(setup.dialect.as_ref());
+        if let (Some(option), Some(other)) = (linuxcnc, named.filter(|name| *name != LINUXCNC)) {
+            let reason = texts.label("label-linuxcnc-file", &[("dialect", other.as_str().into())]);
+            return Err(Failure::config(option, &reason));
+        }
         let axis_names =
             setup.axis_names().map_err(|e| refused(common.setup.as_deref(), "setup", &e, texts))?;
         Ok(Shop {
@@ -290,7 +296,7 @@ impl Shop {
             machine,
             axis_names,
             machine_is_built_in: common.machine.is_none(),
-            dialect: common.dialect.clone().or_else(|| setup.dialect.clone()).or_else(linuxcnc),
+            dialect: named.cloned().or_else(|| linuxcnc.map(|_| LINUXCNC.to_owned())),
             block_skip: common.block_skip || setup.options.block_skip,
             optional_stop: common.optional_stop || setup.options.optional_stop,
             setup,

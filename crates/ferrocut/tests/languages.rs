@@ -60,6 +60,17 @@ fn files_of_linuxcnc_name_its_language() {
     assert_eq!(ends(&["--tool-table", &table]), 60.0);
     let report = ferrocut(&["run", &program, "--var-file", &variables]).out;
     assert!(report.contains("rs274"), "{report}");
+    // Beside another language they are of no use, and are not passed over.
+    let setup = write(&folder, "setup.toml", "dialect = \"gsk990mc\"\n");
+    for (option, file) in [("--tool-table", &table), ("--var-file", &variables)] {
+        assert_eq!(ferrocut(&["trace", &program, option, file, "--dialect", "rs274"]).code, 0);
+        for other in [["--dialect", "gsk990mc"], ["--setup", &setup]] {
+            let answer = ferrocut(&[&["trace", program.as_str(), option, file], &other[..]].concat());
+            assert_eq!((answer.code, answer.out.as_str()), (2, ""), "{option} {other:?}");
+            let says = format!("({option}: it is for programs of rs274, and gsk990mc is");
+            assert!(answer.err.contains(&says), "{}", answer.err);
+        }
+    }
 }
 
 #[test]

@@ -227,6 +227,7 @@ label-machine-tolerance = a path that may be { $value } mm off cuts no part; is 
 label-machine-tool-change = a tool change takes { $value } s; is time_s in seconds?
 label-machine-file-missing = { $file } is named here and cannot be read beside the machine file: { $reason }
 label-public-missing = public_programs names { $file }, which cannot be read ({ $reason }), and any code may be a program in it: put the file there, name another with --public, or take the line out
+label-linuxcnc-file = it is for programs of rs274, and { $dialect } is the language that is named: leave one of the two out
 label-quote-bits = Names of bit parameters stand in quotation marks: "NO43.1" = 1
 
 ## Drawings

@@ -227,6 +227,7 @@ label-machine-tolerance = una trayectoria que puede desviarse { $value } mm no c
 label-machine-tool-change = un cambio de herramienta tarda { $value } s; ¿está time_s en segundos?
 label-machine-file-missing = aquí se nombra { $file }, que no se puede leer junto al archivo de máquina: { $reason }
 label-public-missing = public_programs nombra { $file }, que no se puede leer ({ $reason }), y cualquier código puede ser un programa suyo: ponga ahí el archivo, nombre otro con --public o quite la línea
+label-linuxcnc-file = es para programas de rs274, y el lenguaje indicado es { $dialect }: quite uno de los dos
 label-quote-bits = Los nombres de parámetros de bit van entre comillas: "NO43.1" = 1
 
 ## Drawings

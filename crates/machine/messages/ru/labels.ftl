@@ -243,6 +243,7 @@ label-machine-tolerance = с отклонением траектории до { 
 label-machine-tool-change = смена инструмента занимает { $value } с; time_s указано в секундах?
 label-machine-file-missing = здесь назван { $file }, но рядом с файлом станка его не прочитать: { $reason }
 label-public-missing = public_programs называет { $file }, который не прочитать ({ $reason }), а любой код может быть программой из него: положите файл туда, назовите другой через --public или уберите строку
+label-linuxcnc-file = он для программ rs274, а назван язык { $dialect }: уберите одно из двух
 label-quote-bits = Имена битовых параметров пишутся в кавычках: "NO43.1" = 1
 
 ## Drawings

@@ -227,6 +227,7 @@ label-machine-tolerance = { $value } mm sapabilen bir yolla parça kesilmez; tol
 label-machine-tool-change = takım değişimi { $value } s sürüyor; time_s saniye olarak mı?
 label-machine-file-missing = burada { $file } adı geçiyor, ama makine dosyasının yanında okunamıyor: { $reason }
 label-public-missing = public_programs { $file } dosyasını gösteriyor, ama okunamıyor ({ $reason }); her kod oradaki bir program olabilir: dosyayı oraya koyun, --public ile başkasını verin ya da satırı çıkarın
+label-linuxcnc-file = rs274 programları içindir, oysa verilen dil { $dialect }: ikisinden birini çıkarın
 label-quote-bits = Bit parametrelerinin adları tırnak içinde yazılır: "NO43.1" = 1
 
 ## Drawings

@@ -212,6 +212,7 @@ label-machine-tolerance = 轨迹偏差 { $value } mm 无法加工零件；tolera
 label-machine-tool-change = 换刀需 { $value } s；time_s 的单位是秒吗？
 label-machine-file-missing = 此处指定了 { $file }，但在机床文件旁无法读取：{ $reason }
 label-public-missing = public_programs 指定了 { $file }，但该文件无法读取（{ $reason }），而任何代码都可能是其中的程序：请把文件放到该处，用 --public 指定另一个文件，或删去该行
+label-linuxcnc-file = 它用于 rs274 程序，而指定的语言是 { $dialect }：请去掉其中之一
 label-quote-bits = 位参数的名称须加引号："NO43.1" = 1
 
 ## 图纸
