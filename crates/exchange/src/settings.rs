@@ -183,8 +183,8 @@ fn up_to(most: f64) -> String {
 }
 
 impl Settings {
-    /// Settings with those of a set-up file, and the format that it names.
-    pub fn of(setup: &ImportSetup, order: Order) -> Result<(Settings, Format), Box<Alarm>> {
+    /// Settings with those of a set-up file, and the format where it names one.
+    pub fn of(setup: &ImportSetup, order: Order) -> Result<(Settings, Option<Format>), Box<Alarm>> {
         let mut settings = Settings { order, ..Settings::default() };
         let set = |place: &mut f64, value: Option<Number>| {
             if let Some(Number(value)) = value {
@@ -216,7 +216,8 @@ impl Settings {
         let change = |(name, setup): (&String, &CuttingSetup)| Ok((name.as_str().into(), Change::of(setup)?));
         settings.layers = setup.layers.iter().map(change).collect::<Result<_, Box<Alarm>>>()?;
         settings.pens = setup.pens.iter().map(change).collect::<Result<_, Box<Alarm>>>()?;
-        let format = Format::named(&setup.format).ok_or_else(|| wrong("format", &setup.format, FORMATS))?;
+        let format = |name: &String| Format::named(name).ok_or_else(|| wrong("format", name, FORMATS));
+        let format = setup.format.as_ref().map(format).transpose()?;
         settings.check()?;
         Ok((settings, format))
     }

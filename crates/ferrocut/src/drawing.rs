@@ -84,19 +84,19 @@ pub enum Opened {
 impl Source {
     /// Looks whether a file is a drawing. The set-up may say so.
     pub fn open(path: &Path, setup: Option<&ImportSetup>) -> Result<Opened, Failure> {
-        let told = match setup {
-            Some(setup) => Some(Settings::of(setup, Order::AsDrawn).map_err(Failure::setting)?),
-            None => None,
+        let (settings, format) = match setup {
+            Some(setup) => Settings::of(setup, Order::AsDrawn).map_err(Failure::setting)?,
+            None => (Settings::default(), None),
         };
-        Source::open_as(path, told)
+        Source::open_as(path, settings, format)
     }
 
     /// Opens a file as this kind of drawing, or looks whether it is one.
-    pub fn open_as(path: &Path, told: Option<(Settings, Format)>) -> Result<Opened, Failure> {
+    pub fn open_as(path: &Path, settings: Settings, format: Option<Format>) -> Result<Opened, Failure> {
         let is_input = path == Path::new("-");
         let name = if is_input { "standard input".to_owned() } else { path.to_string_lossy().into_owned() };
         let unreadable = |error: io::Error| Failure::unreadable(&name, &error.to_string());
-        if let Some((settings, format)) = told {
+        if let Some(format) = format {
             let bytes = match is_input {
                 true => all(io::stdin().lock()),
                 false if path.is_dir() => return Err(Failure::of_open(path, OpenError::Folder)),
@@ -105,7 +105,6 @@ impl Source {
             let bytes = bytes.map_err(unreadable)?;
             return Ok(Opened::Drawing(Box::new(Source { name, format, by: None, settings, bytes })));
         }
-        let settings = Settings::default();
         if is_input {
             let text = match Text::from_reader(io::stdin().lock()) {
                 Ok(text) => text,

@@ -64,6 +64,18 @@ fn the_set_up_says_how_it_is_cut_and_what_it_is() {
         let answer = ferrocut(&["import", &plot, "--setup", &setup, "--to", "weihong"]);
         assert!(answer.code == 0 && answer.out.contains(centre), "{}", answer.out);
     }
+    // A set-up need not say what it is, where the drawing does; what is none runs as a program.
+    let setup = write(&folder, "setup.toml", SETUP.replace("format = \"plt\"\n", ""));
+    for command in ["trace", "import"] {
+        let answer = ferrocut(&[command, &plot, "--setup", &setup]);
+        assert!(answer.code == 0 && answer.err.contains("(by its content)"), "{}", answer.err);
+        assert!(answer.out.contains("700"), "{}", answer.out);
+    }
+    let program = write(&folder, "part.nc", "G1 X1 F100\nM30\n");
+    let answer = ferrocut(&["trace", &program, "--setup", &setup]);
+    assert_eq!((answer.code, answer.err.as_str()), (0, ""));
+    let answer = ferrocut(&["import", &program, "--setup", &setup]);
+    assert!(answer.code == 2 && answer.err.contains("FC-1020"), "{}", answer.err);
     // From standard input, by its content.
     let answer = with_input(&["trace", "-"], PLT);
     assert!(answer.code == 0 && answer.err.contains("(by its content)"), "{}", answer.err);

@@ -170,51 +170,37 @@ pub struct Options {
 
 /// How a drawing is turned into a program. What is not given keeps the default of the importer.
 #[derive(Clone, PartialEq, Debug, Default, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, default)]
 pub struct ImportSetup {
-    /// Kind of drawing: `plt` or `dxf`.
-    pub format: String,
+    /// Kind of drawing, `plt` or `dxf`; where it is not given, name and content of the drawing tell.
+    pub format: Option<String>,
     /// Units of the drawing in one mm; for PLT 40 (HP-GL: 0.025 mm).
-    #[serde(default)]
     pub units_per_mm: Option<Number>,
     /// Unit of a DXF drawing by name, in place of the one that it states.
-    #[serde(default)]
     pub units: Option<String>,
     /// Factor on top of the unit.
-    #[serde(default)]
     pub scale: Option<Number>,
     /// Coordinates of a PLT point, 2 or 3.
-    #[serde(default)]
     pub dims: Option<Number>,
     /// Z while the pen is up, mm.
-    #[serde(default)]
     pub pen_up: Option<Number>,
     /// Z while the pen is down, mm.
-    #[serde(default)]
     pub pen_down: Option<Number>,
     /// Feed along the drawing, mm/min.
-    #[serde(default)]
     pub feed: Option<Number>,
     /// Feed into the material, mm/min.
-    #[serde(default)]
     pub plunge: Option<Number>,
     /// Spindle speed, r/min.
-    #[serde(default)]
     pub spindle: Option<Number>,
     /// Tool number.
-    #[serde(default)]
     pub tool: Option<Number>,
     /// How far arcs may lie from the curves of the drawing, mm.
-    #[serde(default)]
     pub tolerance: Option<Number>,
     /// `as-drawn` or `shortest`.
-    #[serde(default)]
     pub order: Option<String>,
     /// What differs on layers of a DXF drawing, by their names.
-    #[serde(default)]
     pub layers: BTreeMap<String, CuttingSetup>,
     /// What differs for pens of a PLT drawing, by their numbers.
-    #[serde(default)]
     pub pens: BTreeMap<String, CuttingSetup>,
 }
 
@@ -611,7 +597,6 @@ optional_stop = true
             ("[signals]\nskip = { axis = \"x\" }", "missing field `at`"),
             ("[signals]\nskip = { axis = \"m\", at = 1 }", "\"m\" is no axis"),
             ("[options]\noptional_stop = 3", "invalid type"),
-            ("[import]\nfeed = 3", "missing field `format`"),
         ] {
             let error = Setup::from_toml(text).unwrap_err().to_string();
             assert!(error.contains(says), "{text}: {error}");

@@ -98,27 +98,22 @@ pub fn run(args: &ImportArgs) -> Result<Exit, Failure> {
 fn source(args: &ImportArgs, shop: &Shop) -> Result<Box<Source>, Failure> {
     let (mut settings, named) = match &shop.setup.import {
         Some(setup) => {
-            let (settings, format) = Settings::of(setup, default_order(args, setup.dims.map(|n| n.0)))
-                .map_err(Failure::setting)?;
-            (settings, Some(format))
+            Settings::of(setup, default_order(args, setup.dims.map(|n| n.0))).map_err(Failure::setting)?
         }
         None => (Settings { order: default_order(args, None), ..Settings::default() }, None),
     };
     apply(args, &mut settings)?;
     let has_file = shop.setup.import.is_some();
     settings.check_named(&|key| option(args, key, has_file)).map_err(Failure::setting)?;
-    let told = match &args.from {
+    let format = match &args.from {
         Some(name) => {
             Some(Format::named(name).ok_or_else(|| Failure::bad_setting("--from", name, settings::FORMATS))?)
         }
         None => named,
     };
     // Only a drawing is looked for: what is none must be named.
-    match Source::open_as(&args.file, told.map(|format| (settings.clone(), format)))? {
-        Opened::Drawing(mut source) => {
-            source.settings = settings;
-            Ok(source)
-        }
+    match Source::open_as(&args.file, settings, format)? {
+        Opened::Drawing(source) => Ok(source),
         Opened::Program(text) => match text.map_or_else(|| open_text(&args.file), Ok) {
             Ok(_) | Err(OpenError::NotText | OpenError::Utf16) => {
                 Err(Failure::no_drawing(&args.file.to_string_lossy()))
