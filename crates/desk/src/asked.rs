@@ -226,10 +226,7 @@ fn g_code(number: &str, form: &str, book: &Book) -> Result<Vec<Asked>, Unknown> 
         return Ok(vec![Asked::Subject(Subject::G(tenths))]);
     }
     let forms = || book.reference.into_iter().flat_map(|r| r.forms(tenths));
-    let letter = form.get(..1).unwrap_or_default();
-    let is_it =
-        |known: &str| known.eq_ignore_ascii_case(form) || known == letter || known == format!("{letter}n");
-    match forms().find(|row| is_it(&row.form)) {
+    match forms().find(|row| row.is_form(form)) {
         Some(row) => Ok(vec![Asked::Form(tenths, row.form.to_string())]),
         None => {
             let near: Vec<String> = forms().map(|row| row.name()).collect();

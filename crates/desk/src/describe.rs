@@ -327,14 +327,16 @@ impl Book {
         }
     }
 
+    /// Name and title of a G code, or of a form of one.
+    pub(crate) fn row_line(&self, row: &GCodeRow) -> (String, String) {
+        (row.name(), title(self.words(&row.meaning)).to_owned())
+    }
+
     /// Name and title of a code.
     pub fn code_line(&self, code: &Subject) -> Option<(String, String)> {
         let reference = self.reference?;
         match code {
-            Subject::G(tenths) => {
-                let row = reference.g_code(*tenths)?;
-                Some((row.name(), title(self.words(&row.meaning)).to_owned()))
-            }
+            Subject::G(tenths) => reference.g_code(*tenths).map(|row| self.row_line(row)),
             Subject::M(code) => {
                 let row = reference.m_code(*code)?;
                 Some((format!("M{:02}", row.code), title(self.words(&row.meaning)).to_owned()))

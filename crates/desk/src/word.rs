@@ -102,11 +102,20 @@ impl Book {
         let mut page = Page::new("word", text, self.address_meaning(letter));
         self.say_range(&mut page, letter);
         if let Some(reader) = self.reader(letter, line) {
-            let (name, title) = self.code_line(&reader).unwrap_or_default();
+            // The form that the word itself chooses, `L2` of `G10 L2`, has a name and a format of its own.
+            let row = match (&reader, self.reference) {
+                (Subject::G(tenths), Some(reference)) => {
+                    let form = reference.forms(*tenths).find(|row| row.is_form(text));
+                    form.or_else(|| reference.g_code(*tenths))
+                }
+                _ => None,
+            };
+            let (name, title) = match row {
+                Some(row) => self.row_line(row),
+                None => self.code_line(&reader).unwrap_or_default(),
+            };
             page.say("used_by", format!("{name}  {title}"));
-            if let (Subject::G(tenths), Some(reference)) = (&reader, self.reference) {
-                page.say("form", reference.g_code(*tenths).map_or("", |row| &*row.format));
-            }
+            page.say("form", row.map_or("", |row| &*row.format));
         }
         // A group in which the language has no code is filled all the same.
         let own = line.modal.codes().filter(|c| self.dialect.g_code(c.tenths).is_some());

@@ -69,6 +69,18 @@ fn tables_agree(dialect: &Dialect, reference: &Reference) {
         let row = reference.g_code(code.tenths).unwrap();
         assert!(row.at_power_on, "{}", row.name());
     }
+    // Operations of macro A.
+    if reference.forms(650).next().is_some() {
+        for operation in 0..=99 {
+            let is_listed = reference.forms(650).any(|row| row.is_form(&format!("H{operation}")));
+            assert_eq!(
+                is_listed,
+                dialect.arithmetic.has_operation(operation),
+                "{} H{operation}",
+                dialect.name
+            );
+        }
+    }
     for address in dialect.addresses {
         assert!(reference.address(address.letter).is_some(), "{}", char::from(address.letter));
     }
@@ -108,6 +120,11 @@ fn a_g_code_is_explained_with_its_group_form_parameters_and_alarms() {
     assert_lines("G54", &["P15-P19 0 mm G54 work zero offset of axis 1-5"]);
     assert_lines("G10 L20", &["G10 L20 Set offset of additional work system n (1-50)"]);
     assert_lines("G54 P7", &["G54 Pn Additional work coordinate system n"]);
+    // An operation of macro A, by its number as it is written.
+    for what in ["G65 H02", "g65 h2"] {
+        assert_lines(what, &["G65 H02 Sum, #i = Q + R", "form G65 H02 P#i Q_ R_", "manual 4.9.4"]);
+    }
+    assert_lines("G65", &["G65 H86 P_ Q_ R_ Jump to block P if Q <= R"]);
     assert!(page("G84").contains("P257") && page("G84").contains("gsk990mc:0200"));
 }
 
@@ -220,6 +237,8 @@ const PROGRAM: &str = "O1 (TEST)\n\
     IF[#1EQ#2]GOTO 100\n\
     N100 #500=#100+1; G4 X1.5\n\
     M98 P2 L3\n\
+    G65 H2 P#101 Q1 R2\n\
+    G10 L2 P1 X5\n\
     M30\n";
 
 #[test]
@@ -259,6 +278,8 @@ fn the_word_at_a_place_is_explained_where_it_stands() {
             ("9:8", "#500", &[]),
             ("9:24", "X1.5", &["read by G04 Dwell"]),
             ("10:6", "P2", &["read by M98 Subprogram call M98 P_ L_ (four nesting levels)"]),
+            ("11:5", "H2", &["read by G65 H02 Sum, #i = Q + R", "form G65 H02 P#i Q_ R_"]),
+            ("12:5", "L2", &["read by G10 L2 Set external work offset (P0) or offset of G54-G59 (P1-P6)"]),
         ] {
             let found = lines(&page(&format!("{file}:{place}")));
             assert!(found[0].starts_with(&format!("{title} ")), "{place}: {found:#?}");

@@ -46,6 +46,18 @@ impl GCodeRow {
         if self.form.is_empty() { code } else { format!("{code} {}", self.form) }
     }
 
+    /// Whether it is the form of a code that stands with this word, `L2`, `H1` as `H01`, or `P7` as any `Pn`.
+    pub fn is_form(&self, word: &str) -> bool {
+        let split = |text: &str| {
+            let (letter, number) = text.split_at_checked(1)?;
+            Some((letter.to_ascii_uppercase(), number.parse::<u16>().ok()))
+        };
+        let (Some((own, number)), Some((letter, asked))) = (split(&self.form), split(word)) else {
+            return false;
+        };
+        own == letter && number.is_none_or(|number| asked == Some(number))
+    }
+
     /// Number of its modal group; 0 for codes that are not modal.
     pub fn group_number(&self) -> Option<u8> {
         self.group.split('/').next()?.parse().ok()
@@ -570,7 +582,7 @@ mod tests {
             assert_eq!(r.macro_words.len(), lines(words), "{dialect}");
         }
         let r = gsk();
-        assert_eq!((r.g_codes.len(), r.m_codes.len(), r.variables.len()), (90, 33, 77));
+        assert_eq!((r.g_codes.len(), r.m_codes.len(), r.variables.len()), (115, 33, 77));
         assert!(Reference::of("sinumerik").is_none());
     }
 
