@@ -70,6 +70,33 @@ fn holes_come_before_the_outline_whatever_tool_they_need() {
     assert_eq!(moves.iter().filter(|m| m.action == Action::Lower).count(), 4);
 }
 
+/// The layers in the order in which they are cut, each once as long as it goes on.
+fn turns(drawing: &Drawing) -> Vec<u32> {
+    let moves = plan(drawing, Order::Shortest);
+    let cuts = moves.iter().filter(|m| matches!(m.action, Action::Cut(_)));
+    let mut layers: Vec<u32> = cuts.map(|m| m.layer).collect();
+    layers.dedup();
+    layers
+}
+
+#[test]
+fn tools_change_no_more_often_than_what_is_inside_asks_for() {
+    let ring = |x: f64, radius: f64, layer: u32| (circle([x, 0.0], radius), layer);
+    // The outline that has no hole need not come before the holes of the others.
+    let curves = [ring(0.0, 5.0, 0), ring(20.0, 5.0, 0), ring(20.0, 1.0, 1), ring(40.0, 5.0, 0)];
+    assert_eq!(turns(&drawing(&curves, &[1, 2])), [1, 0]);
+    // As drawn the way is the shortest there is, with a change at every contour.
+    let pairs = (0..5).flat_map(|i| [ring(f64::from(i) * 20.0, 1.0, 1), ring(f64::from(i) * 20.0, 5.0, 0)]);
+    assert_eq!(turns(&drawing(&pairs.collect::<Vec<_>>(), &[1, 2])), [1, 0]);
+    // Three tools, of which the second waits for the third: whoever takes them as drawn comes back.
+    let curves =
+        [ring(0.0, 5.0, 0), ring(20.0, 5.0, 1), ring(20.0, 1.0, 2), ring(40.0, 5.0, 0), ring(40.0, 2.0, 1)];
+    assert_eq!(turns(&drawing(&curves, &[1, 2, 3])), [2, 1, 0]);
+    // Where nothing waits they come as drawn.
+    let curves = [ring(0.0, 5.0, 1), ring(20.0, 5.0, 0), ring(40.0, 5.0, 1)];
+    assert_eq!(turns(&drawing(&curves, &[1, 2])), [1, 0]);
+}
+
 #[test]
 fn as_drawn_nothing_is_turned_round_or_joined_that_does_not_follow() {
     let side = sides([0.0; 2], 1.0);
@@ -119,6 +146,32 @@ fn figure() -> impl Strategy<Value = (Vec<Curve>, u32)> {
     })
 }
 
+/// The fewest turns of tools in which circles on layers, a tool each, can be cut: all orders are tried.
+fn fewest(circles: &[(Point, f64, u32)], layers: u32) -> usize {
+    let is_in = |a: &(Point, f64, u32), b: &(Point, f64, u32)| distance(a.0, b.0) + a.1 < b.1;
+    let mut states = vec![vec![false; circles.len()]];
+    for count in 0.. {
+        if states.iter().any(|cut| cut.iter().all(|cut| *cut)) {
+            return count;
+        }
+        let mut next: Vec<Vec<bool>> = Vec::new();
+        for (state, layer) in states.iter().flat_map(|state| (0..layers).map(move |layer| (state, layer))) {
+            let mut cut = state.clone();
+            // From the smallest on, so that each has had its turn before what is around it.
+            let mut order: Vec<usize> = (0..circles.len()).filter(|i| circles[*i].2 == layer).collect();
+            order.sort_by(|a, b| circles[*a].1.total_cmp(&circles[*b].1));
+            for i in order {
+                cut[i] |= (0..circles.len()).all(|j| cut[j] || j == i || !is_in(&circles[j], &circles[i]));
+            }
+            if !next.contains(&cut) {
+                next.push(cut);
+            }
+        }
+        states = next;
+    }
+    unreachable!()
+}
+
 proptest! {
     #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(300) })]
 
@@ -156,5 +209,22 @@ proptest! {
         if circles_only {
             prop_assert!(way(&plan(&one, Order::Shortest)) <= way(&plan(&one, Order::AsDrawn)) + 1e-9);
         }
+    }
+
+    #[test]
+    fn tools_change_as_seldom_as_can_be(
+        circles in prop::collection::vec((0..4, 0..4, 1u32..8, 0..3u32), 1..14)
+    ) {
+        // None touches another: places are far apart, radii at a place differ.
+        let mut placed: Vec<(Point, f64, u32)> = Vec::new();
+        for (x, y, radius, layer) in circles {
+            let circle = ([f64::from(x) * 20.0, f64::from(y) * 20.0], f64::from(radius), layer);
+            if placed.iter().all(|other| other.0 != circle.0 || other.1 != circle.1) {
+                placed.push(circle);
+            }
+        }
+        let curves: Vec<(Curve, u32)> =
+            placed.iter().map(|(center, radius, layer)| (self::circle(*center, *radius), *layer)).collect();
+        prop_assert_eq!(turns(&drawing(&curves, &[1, 2, 3])).len(), fewest(&placed, 3));
     }
 }

@@ -81,8 +81,9 @@ pub enum Command {
     #[command(
         long_about = "Turn a drawing (PLT, DXF) into a part program.\n\n\
             Lines and arcs stay what they are; ellipses and splines become arcs within --tolerance.\n\
-            Curves that meet are joined, what lies inside a contour is cut before the contour, and the\n\
-            ways between are kept short (--order as-drawn keeps the order of the drawing).\n\n\
+            Curves that meet are joined, what lies inside a contour is cut before the contour, tools are\n\
+            changed as seldom as that allows, and the ways between are kept short (--order as-drawn keeps\n\
+            the order of the drawing).\n\n\
             The drawing's zero is the work zero of G54. Depths are work Z. What is not given is cut at\n\
             Z-1 with 600 mm/min, lowered with 300 mm/min, and crossed over at Z5.\n\n\
             A set-up file can say the same in a table [import], with format = \"plt\" or \"dxf\" for --from,\n\

@@ -2,12 +2,13 @@
 //!
 //! As drawn, a PLT drawing says itself what the pen does; of a DXF drawing each curve that does not go on
 //! where the one before it ended is led to by itself. Otherwise curves are joined into chains
-//! ([`chains`]), a chain waits for what lies inside of it ([`nest`]), and the nearest one that is free
-//! comes next ([`order`]).
+//! ([`chains`]), a chain waits for what lies inside of it ([`nest`]), tools come in the order with the fewest
+//! changes ([`tools`]), and the nearest one that is free comes next ([`order`]).
 
 pub mod chains;
 pub mod nest;
 pub mod order;
+pub mod tools;
 
 use crate::curve::Curve;
 use crate::drawing::{Action, Drawing, Move};

@@ -1,13 +1,14 @@
 //! Which chain comes next: the nearest that is free, tool by tool.
 //!
 //! A chain is free once everything inside of it is cut. While the tool in the spindle has a free chain,
-//! the one whose way is shortest comes next; then the tool of the first chain in the drawing that is
-//! free. A closed chain may be started at a few of its corners, an open one at either end. Where the order
-//! of the drawing has less way, and keeps what is inside before what is around, it stays.
+//! the one whose way is shortest comes next; then the tool whose turn it is ([`tools`](super::tools)). A closed
+//! chain may be started at a few of its corners, an open one at either end. Where the order of the drawing has less
+//! way and no more changes of the tool, and keeps what is inside before what is around, it stays.
 
 use super::Cut;
 use super::chains::{Chain, Chains};
 use super::nest::Nest;
+use super::tools::turns;
 use crate::curve::Curve;
 use crate::drawing::Drawing;
 use ferrocut_geometry::vector::{Point, distance};
@@ -29,6 +30,8 @@ pub fn shortest(chains: &Chains, nest: Option<&Nest>, drawing: &Drawing, mut cut
         layer.and_then(|layer| layer.cutting).and_then(|cutting| cutting.tool)
     };
     let Some(nest) = nest else { return by_size(chains, cut) };
+    let of_chains: Vec<Option<u32>> = chains.iter().map(|chain| tool(&chain)).collect();
+    let mut turns = turns(&of_chains, nest).unwrap_or_default().into_iter();
     let mut waiting = vec![0u32; chains.len()];
     for (_, around) in nest.pairs() {
         if let Some(count) = waiting.get_mut(around as usize) {
@@ -52,7 +55,7 @@ pub fn shortest(chains: &Chains, nest: Option<&Nest>, drawing: &Drawing, mut cut
     let (mut at, mut way, mut present) = ([0.0; 2], 0.0, None::<Option<u32>>);
     loop {
         let has_one = |tool: &Option<u32>| free.get(tool).is_some_and(|(_, tree)| tree.size() > 0);
-        let Some(next) = present.filter(has_one).or_else(|| {
+        let Some(next) = present.filter(has_one).or_else(|| turns.next().filter(has_one)).or_else(|| {
             let with = free.iter().filter(|(_, (_, tree))| tree.size() > 0);
             with.min_by_key(|(_, (first, _))| *first).map(|(tool, _)| *tool)
         }) else {
@@ -82,7 +85,11 @@ pub fn shortest(chains: &Chains, nest: Option<&Nest>, drawing: &Drawing, mut cut
             }
         }
     }
-    if nest.pairs().all(|(own, around)| own < around) && way_of(chains) < way {
+    let sequence_tools = sequence.iter().filter_map(|start| of_chains.get(start.data.0 as usize).copied());
+    if nest.pairs().all(|(own, around)| own < around)
+        && changes(of_chains.iter().copied()) <= changes(sequence_tools)
+        && way_of(chains) < way
+    {
         return chains.iter().flat_map(|chain| chain.cuts).for_each(|c| cut(*c));
     }
     for start in sequence {
@@ -111,6 +118,13 @@ fn by_size(chains: &Chains, cut: impl FnMut(Cut)) {
         ((high[0] - low[0]) * (high[1] - low[1])).max(0.0).to_bits()
     });
     sorted.into_iter().flat_map(|chain| chain.cuts.iter().copied()).for_each(cut);
+}
+
+/// How often a tool is put into the spindle.
+fn changes(tools: impl Iterator<Item = Option<u32>>) -> usize {
+    let mut tools: Vec<u32> = tools.flatten().collect();
+    tools.dedup();
+    tools.len()
 }
 
 /// Length of the ways between chains, from the zero on, mm.
