@@ -203,7 +203,11 @@ fn wrong_use_is_told_as_such() {
     let folder = tempfile::tempdir().unwrap();
     let file = write(&folder, "part.dxf", dxf("0"));
     let program = write(&folder, "part.nc", "G0 X1\nM30\n");
+    let plot = write(&folder, "part.plt", PLT);
+    let penless = write(&folder, "penless.plt", "PU0,0;PD40,0;PU;");
     for (arguments, says) in [
+        (vec!["import", &plot, "--pen", "9=-1"], "(9; it has: 1)"),
+        (vec!["import", &penless, "--pen", "9=-1"], "(9; it has: -)"),
         (vec!["import", &program], "neither a PLT nor a DXF"),
         (vec!["import", "no/such.dxf"], "no/such.dxf"),
         (

@@ -208,8 +208,11 @@ fn all_named(args: &ImportArgs, drawing: &Drawing) -> Result<(), Failure> {
     match asked.iter().map(of).find(unknown).or(other.first().map(of)) {
         None => Ok(()),
         Some(name) => {
+            // What a PLT drawing has before it takes a pen has no name to give.
+            let named: Vec<&str> = names.iter().copied().filter(|name| !name.is_empty()).collect();
+            let named = if named.is_empty() { "-".to_owned() } else { named.join(", ") };
             let alarm = Alarm::core(Fault::NothingOnLayer, Span::default()).with("name", name);
-            Err(Failure::new(Box::new(alarm.with("names", names.join(", "))), Exit::WrongUse))
+            Err(Failure::new(Box::new(alarm.with("names", named)), Exit::WrongUse))
         }
     }
 }
