@@ -12,11 +12,11 @@ use ferrocut_program::Span;
 use proptest::prelude::*;
 use std::time::Instant;
 
-/// A drawing of these curves, each with its number as line, on layers with these tools.
+/// A drawing of these curves, each with its number as line, on layers with these tools; 0 is none.
 fn drawing(curves: &[(Curve, u32)], tools: &[u32]) -> Drawing {
     let mut drawing = Drawing::new(Format::Dxf);
     for tool in tools {
-        let cutting = Cutting { tool: Some(*tool), ..Settings::default().cutting };
+        let cutting = Cutting { tool: Some(*tool).filter(|tool| *tool > 0), ..Settings::default().cutting };
         drawing.layers.push(Layer { name: tool.to_string().into(), cutting: Some(cutting) });
     }
     for (line, (curve, layer)) in (1..).zip(curves) {
@@ -70,11 +70,12 @@ fn holes_come_before_the_outline_whatever_tool_they_need() {
     assert_eq!(moves.iter().filter(|m| m.action == Action::Lower).count(), 4);
 }
 
-/// The layers in the order in which they are cut, each once as long as it goes on.
+/// The layers with a tool in the order in which they are cut, each once as long as it goes on.
 fn turns(drawing: &Drawing) -> Vec<u32> {
     let moves = plan(drawing, Order::Shortest);
     let cuts = moves.iter().filter(|m| matches!(m.action, Action::Cut(_)));
-    let mut layers: Vec<u32> = cuts.map(|m| m.layer).collect();
+    let has_tool = |layer: &u32| drawing.layers[*layer as usize].cutting.unwrap().tool.is_some();
+    let mut layers: Vec<u32> = cuts.map(|m| m.layer).filter(has_tool).collect();
     layers.dedup();
     layers
 }
@@ -95,6 +96,16 @@ fn tools_change_no_more_often_than_what_is_inside_asks_for() {
     // Where nothing waits they come as drawn.
     let curves = [ring(0.0, 5.0, 1), ring(20.0, 5.0, 0), ring(40.0, 5.0, 1)];
     assert_eq!(turns(&drawing(&curves, &[1, 2])), [1, 0]);
+    // What needs no tool is cut with the one that is there.
+    let curves = [ring(0.0, 1.0, 0), ring(50.0, 3.0, 1), ring(0.0, 3.0, 2), ring(0.0, 6.0, 0)];
+    assert_eq!(turns(&drawing(&curves, &[1, 2, 0])), [0, 1]);
+    // Many tools, every other of which waits for the next and for no more.
+    let groups = (0..10u32).flat_map(|i| {
+        let x = f64::from(i) * 40.0;
+        [ring(x, 5.0, 2 * i), ring(x + 20.0, 5.0, 2 * i), ring(x + 20.0, 1.0, 2 * i + 1)]
+    });
+    let tools: Vec<u32> = (1..=20).collect();
+    assert_eq!(turns(&drawing(&groups.collect::<Vec<_>>(), &tools)).len(), 20);
 }
 
 #[test]
@@ -146,23 +157,29 @@ fn figure() -> impl Strategy<Value = (Vec<Curve>, u32)> {
     })
 }
 
-/// The fewest turns of tools in which circles on layers, a tool each, can be cut: all orders are tried.
+/// The fewest turns of tools in which circles on layers can be cut, a tool each and one more without: all orders are
+/// tried.
 fn fewest(circles: &[(Point, f64, u32)], layers: u32) -> usize {
     let is_in = |a: &(Point, f64, u32), b: &(Point, f64, u32)| distance(a.0, b.0) + a.1 < b.1;
-    let mut states = vec![vec![false; circles.len()]];
+    let turn = |state: &[bool], layer: u32| {
+        let mut cut = state.to_vec();
+        // From the smallest on, so that each has had its turn before what is around it.
+        let mut order: Vec<usize> =
+            (0..circles.len()).filter(|i| [layer, layers].contains(&circles[*i].2)).collect();
+        order.sort_by(|a, b| circles[*a].1.total_cmp(&circles[*b].1));
+        for i in order {
+            cut[i] |= (0..circles.len()).all(|j| cut[j] || j == i || !is_in(&circles[j], &circles[i]));
+        }
+        cut
+    };
+    let mut states = vec![turn(&vec![false; circles.len()], layers)];
     for count in 0.. {
         if states.iter().any(|cut| cut.iter().all(|cut| *cut)) {
             return count;
         }
         let mut next: Vec<Vec<bool>> = Vec::new();
         for (state, layer) in states.iter().flat_map(|state| (0..layers).map(move |layer| (state, layer))) {
-            let mut cut = state.clone();
-            // From the smallest on, so that each has had its turn before what is around it.
-            let mut order: Vec<usize> = (0..circles.len()).filter(|i| circles[*i].2 == layer).collect();
-            order.sort_by(|a, b| circles[*a].1.total_cmp(&circles[*b].1));
-            for i in order {
-                cut[i] |= (0..circles.len()).all(|j| cut[j] || j == i || !is_in(&circles[j], &circles[i]));
-            }
+            let cut = turn(state, layer);
             if !next.contains(&cut) {
                 next.push(cut);
             }
@@ -213,7 +230,7 @@ proptest! {
 
     #[test]
     fn tools_change_as_seldom_as_can_be(
-        circles in prop::collection::vec((0..4, 0..4, 1u32..8, 0..3u32), 1..14)
+        circles in prop::collection::vec((0..4, 0..4, 1u32..8, 0..4u32), 1..14)
     ) {
         // None touches another: places are far apart, radii at a place differ.
         let mut placed: Vec<(Point, f64, u32)> = Vec::new();
@@ -225,6 +242,6 @@ proptest! {
         }
         let curves: Vec<(Curve, u32)> =
             placed.iter().map(|(center, radius, layer)| (self::circle(*center, *radius), *layer)).collect();
-        prop_assert_eq!(turns(&drawing(&curves, &[1, 2, 3])).len(), fewest(&placed, 3));
+        prop_assert_eq!(turns(&drawing(&curves, &[1, 2, 3, 0])).len(), fewest(&placed, 3));
     }
 }

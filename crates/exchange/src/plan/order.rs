@@ -1,9 +1,10 @@
 //! Which chain comes next: the nearest that is free, tool by tool.
 //!
-//! A chain is free once everything inside of it is cut. While the tool in the spindle has a free chain,
-//! the one whose way is shortest comes next; then the tool whose turn it is ([`tools`](super::tools)). A closed
-//! chain may be started at a few of its corners, an open one at either end. Where the order of the drawing has less
-//! way and no more changes of the tool, and keeps what is inside before what is around, it stays.
+//! A chain is free once everything inside of it is cut. While the tool in the spindle has a free chain, the one whose
+//! way is shortest comes next; then those that need no tool, which stay with the one that is there; then the tool whose
+//! turn it is ([`tools`](super::tools)). A closed chain may be started at a few of its corners, an open one at either
+//! end. Where the order of the drawing has less way and no more changes of the tool, and keeps what is inside before
+//! what is around, it stays.
 
 use super::Cut;
 use super::chains::{Chain, Chains};
@@ -52,16 +53,17 @@ pub fn shortest(chains: &Chains, nest: Option<&Nest>, drawing: &Drawing, mut cut
     }
     let mut is_cut = vec![false; chains.len()];
     let mut sequence: Vec<Start> = Vec::with_capacity(chains.len());
-    let (mut at, mut way, mut present) = ([0.0; 2], 0.0, None::<Option<u32>>);
+    let (mut at, mut way, mut present) = ([0.0; 2], 0.0, None);
     loop {
         let has_one = |tool: &Option<u32>| free.get(tool).is_some_and(|(_, tree)| tree.size() > 0);
-        let Some(next) = present.filter(has_one).or_else(|| turns.next().filter(has_one)).or_else(|| {
+        let in_turn = [present, None].into_iter().find(has_one);
+        let Some(next) = in_turn.or_else(|| turns.next().map(Some).filter(has_one)).or_else(|| {
             let with = free.iter().filter(|(_, (_, tree))| tree.size() > 0);
             with.min_by_key(|(_, (first, _))| *first).map(|(tool, _)| *tool)
         }) else {
             break;
         };
-        present = Some(next);
+        present = next.or(present);
         let Some((_, tree)) = free.get_mut(&next) else { break };
         let Some(start) = tree.pop_nearest_neighbor(at) else { continue };
         let (number, place) = start.data;

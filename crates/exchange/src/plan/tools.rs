@@ -2,7 +2,8 @@
 //!
 //! Nothing is won by leaving a chain for later that the tool in the spindle may cut, since what is cut only makes others
 //! free. So the order of the tools alone is to be found, and it is looked for in all orders at once, the shortest
-//! first: what is cut after each of them is told by kinds of chains, of which drawings have few.
+//! first: what is cut after each of them is told by kinds of chains, of which drawings have few. A chain that needs no
+//! tool is cut with the one that is there.
 
 use super::nest::Nest;
 use rustc_hash::{FxHashMap, FxHashSet};
@@ -19,17 +20,16 @@ struct Kind {
 }
 
 /// The tools in the order in which they come, given that of each chain; `None` where there is too much to tell. Of
-/// several orders with as few changes it is that whose tools come first in the drawing.
-pub fn turns(tools: &[Option<u32>], nest: &Nest) -> Option<Vec<Option<u32>>> {
+/// several orders with as few changes it is that in which tools come that can cut all they have left, and then those
+/// that come first in the drawing.
+pub fn turns(tools: &[Option<u32>], nest: &Nest) -> Option<Vec<u32>> {
     let mut looked_at = 0;
     let kinds = kinds(tools, nest, &mut looked_at)?;
     let mut known = FxHashSet::default();
-    let tools: Vec<Option<u32>> = tools.iter().copied().filter(|tool| known.insert(*tool)).collect();
-    let words = kinds.len().div_ceil(64);
-    let is_in =
-        |set: &[u64], kind: u32| set.get(kind as usize / 64).is_some_and(|word| word & 1 << (kind % 64) != 0);
+    let tools: Vec<u32> = tools.iter().copied().flatten().filter(|tool| known.insert(*tool)).collect();
     // What is cut, the last tool, and from which of these it was reached.
-    let mut reached: Vec<(Vec<u64>, Option<u32>, usize)> = vec![(vec![0; words], None, 0)];
+    let nothing = vec![0; kinds.len().div_ceil(64)];
+    let mut reached = vec![(cut_by(None, nothing, &kinds, &mut looked_at), 0, 0)];
     let mut seen = FxHashSet::default();
     let mut at = 0;
     loop {
@@ -38,21 +38,24 @@ pub fn turns(tools: &[Option<u32>], nest: &Nest) -> Option<Vec<Option<u32>>> {
         if (0..kinds.len() as u32).all(|kind| is_in(&cut, kind)) {
             break;
         }
+        let mut next = Vec::new();
         for tool in &tools {
-            let mut now = cut.clone();
-            for (kind, number) in kinds.iter().zip(0u32..).filter(|(kind, _)| kind.tool == *tool) {
-                looked_at += 1 + kind.waits_for.len();
-                if kind.waits_for.iter().all(|other| is_in(&cut, *other))
-                    && let Some(word) = now.get_mut(number as usize / 64)
-                {
-                    *word |= 1 << (number % 64);
-                }
+            let now = cut_by(Some(*tool), cut.clone(), &kinds, &mut looked_at);
+            if now == cut {
+                continue;
             }
-            looked_at += kinds.len();
-            if now != cut && seen.insert(now.clone()) {
-                reached.push((now, *tool, at));
+            let mut own = (0u32..).zip(&kinds).filter(|(_, kind)| kind.tool == Some(*tool));
+            let is_done = own.all(|(number, _)| is_in(&now, number));
+            if is_done {
+                // It has to come once more in any case, and what it cuts only makes others free.
+                next.clear();
+            }
+            next.push((now, *tool, at));
+            if is_done {
+                break;
             }
         }
+        reached.extend(next.into_iter().filter(|(now, ..)| seen.insert(now.clone())));
         if looked_at > MOST_LOOKED_AT {
             return None;
         }
@@ -68,7 +71,25 @@ pub fn turns(tools: &[Option<u32>], nest: &Nest) -> Option<Vec<Option<u32>>> {
     Some(turns)
 }
 
-/// The kinds of chains.
+fn is_in(set: &[u64], kind: u32) -> bool {
+    set.get(kind as usize / 64).is_some_and(|word| word & 1 << (kind % 64) != 0)
+}
+
+/// What is cut after a turn of a tool, of these kinds, each of which stands behind those that it waits for.
+fn cut_by(tool: Option<u32>, mut cut: Vec<u64>, kinds: &[Kind], looked_at: &mut usize) -> Vec<u64> {
+    for (number, kind) in (0u32..).zip(kinds).filter(|(_, kind)| kind.tool.is_none() || kind.tool == tool) {
+        *looked_at += 1 + kind.waits_for.len();
+        if kind.waits_for.iter().all(|other| is_in(&cut, *other))
+            && let Some(word) = cut.get_mut(number as usize / 64)
+        {
+            *word |= 1 << (number % 64);
+        }
+    }
+    *looked_at += kinds.len();
+    cut
+}
+
+/// The kinds of chains, each behind those that it waits for.
 fn kinds(tools: &[Option<u32>], nest: &Nest, looked_at: &mut usize) -> Option<Vec<Kind>> {
     let mut waiting = vec![0u32; tools.len()];
     for (_, around) in nest.pairs() {
