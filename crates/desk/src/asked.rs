@@ -76,6 +76,9 @@ fn one(word: &str, book: &Book, is_file: &dyn Fn(&str) -> bool) -> Result<Vec<As
     if let Some(place) = place(word, book, is_file) {
         return Ok(vec![place]);
     }
+    if word.contains(['.', '/', '\\']) && is_file(word) {
+        return Ok(vec![Asked::Place(word.into(), 0, None)]);
+    }
     if upper.starts_with("FC-") || upper.contains(':') || digits(word) {
         return alarm(word, book);
     }
@@ -229,11 +232,10 @@ fn g_code(number: &str, form: &str, book: &Book) -> Result<Vec<Asked>, Unknown> 
     match forms().find(|row| row.is_form(form)) {
         Some(row) => Ok(vec![Asked::Form(tenths, row.form.to_string())]),
         None => {
-            let near: Vec<String> = forms().map(|row| row.name()).collect();
-            let arguments = [
-                ("name", format!("{} {form}", g_code_name(tenths)).into()),
-                ("dialect", book.dialect.name.into()),
-            ];
+            let name = format!("{} {form}", g_code_name(tenths));
+            let alike = forms().filter(|row| row.form.get(..1) == form.get(..1)).map(|row| row.name());
+            let near = near(&name, alike);
+            let arguments = [("name", name.into()), ("dialect", book.dialect.name.into())];
             let text = book.catalogue.label("label-no-code", &arguments);
             Err(with_near(text, &near, book.catalogue))
         }

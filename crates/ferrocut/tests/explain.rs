@@ -309,9 +309,16 @@ fn the_word_at_a_place_is_explained_where_it_stands() {
 fn a_file_without_a_line_and_a_drawing_are_told_as_such() {
     let folder = tempfile::tempdir().unwrap();
     let program = write(&folder, "part.nc", PROGRAM);
+    // Also where its name begins as something else does.
+    for name in ["1234.nc", "G1.nc", "P12.nc"] {
+        write(&folder, name, PROGRAM);
+        let answer = common::answer(common::command(&["explain", name]).current_dir(folder.path()));
+        let says = format!("error: {name} is a file: name a line of it");
+        assert!(answer.code == 2 && answer.err.starts_with(&says), "{}", answer.err);
+    }
     for what in [&program, &format!("{program}:0")] {
         let answer = explain(&[what]);
-        let says = format!("error: {program} is a program: name a line of it, {program}:12, ");
+        let says = format!("error: {program} is a file: name a line of it, {program}:12, ");
         assert!(answer.code == 2 && answer.err.starts_with(&says), "{}", answer.err);
     }
     let dxf = "%\n0\nSECTION\n2\nENTITIES\n0\nENDSEC\n0\nEOF\n";
@@ -338,6 +345,8 @@ fn what_does_not_exist_is_told_in_a_sentence_with_near_matches() {
         ("G77", "error: gsk990mc has no code G77; near it: G76, G74, G73, G87\n"),
         ("G54.1", "error: gsk990mc has no code G54.1; near it: G54"),
         ("G10 L9", "error: gsk990mc has no code G10 L9; near it: G10 L2"),
+        ("G65 H07", "error: gsk990mc has no code G65 H07; near it: G65 H05, G65 H04, G65 H03, G65 H02\n"),
+        ("G65 P5", "error: gsk990mc has no code G65 P5\n"),
         ("M7", "error: gsk990mc has no code M7; near it: M06, M08"),
         ("P272", "error: gsk990mc has no parameter P272; near it: P271"),
         ("NO21.0", "error: gsk990mc has no parameter NO21.0; near it: "),
