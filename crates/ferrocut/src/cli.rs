@@ -339,7 +339,7 @@ pub struct ServeArgs {
     #[arg(long, value_name = "ADDRESS", conflicts_with = "grbl", group = "others")]
     pub tcp: Option<std::net::SocketAddr>,
     /// Folder of what the control keeps without power [default: nothing is kept]
-    #[arg(long, value_name = "DIR", conflicts_with = "grbl")]
+    #[arg(long, value_name = "DIR", conflicts_with = "grbl", value_parser = crate::commands::memory::folder())]
     pub memory: Option<PathBuf>,
     /// Ladder of the machine, a mnemonic list or PLCopen XML [default: the standard one]
     #[arg(long, value_name = "FILE", conflicts_with = "grbl")]

@@ -283,7 +283,9 @@ impl Shop {
         let files = [("--tool-table", library.is_some()), ("--var-file", parameter_file.is_some())];
         let linuxcnc = files.into_iter().find_map(|(option, is_given)| is_given.then_some(option));
         let named = common.dialect.as_ref().or(setup.dialect.as_ref());
-        if let (Some(option), Some(other)) = (linuxcnc, named.filter(|name| *name != LINUXCNC)) {
+        // A name that is no language's is told as one.
+        let is_other = |name: &&String| *name != LINUXCNC && dialects::by_name(name).is_some();
+        if let (Some(option), Some(other)) = (linuxcnc, named.filter(is_other)) {
             let reason = texts.label("label-linuxcnc-file", &[("dialect", other.as_str().into())]);
             return Err(Failure::config(option, &reason));
         }

@@ -70,6 +70,8 @@ fn files_of_linuxcnc_name_its_language() {
             let says = format!("({option}: it is for programs of rs274, and gsk990mc is");
             assert!(answer.err.contains(&says), "{}", answer.err);
         }
+        let answer = ferrocut(&["trace", &program, option, file, "--dialect", "nosuch"]);
+        assert!(answer.code == 2 && answer.err.contains("FC-0905"), "{}", answer.err);
     }
 }
 

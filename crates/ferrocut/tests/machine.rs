@@ -24,13 +24,20 @@ fn what_is_no_machine_file_and_what_is_no_number_are_told() {
     assert!(answer.code == 1 && answer.out.contains(says), "{}", answer.out);
     let answer = ferrocut(&["run", &program, "--machine", &program]);
     assert!(answer.code == 2 && answer.err.contains(says), "{}", answer.err);
+    let axes = write(&folder, "axes.nc", "O1 (5 axes)\nG0 X1\nM30\n");
+    let answer = ferrocut(&["machine", "check", &axes]);
+    assert!(answer.code == 1 && answer.out.contains(says), "{}", answer.out);
     for (from, to, says) in [
+        // A slip in a machine file is told with its line.
+        ("[[axes]]", "[[axis]]", "unknown field `axis`"),
+        ("max_rpm = ", "max_rpm = oops", "max_rpm = oops"),
         ("max = 500.0", "max = inf", "axes X: max is inf: it must be a finite number"),
         ("min = -500.0", "min = nan", "axes X: min is NaN: it must be a finite number"),
         ("max = 500.0", "max = -500.0", "axes X: min -500 must be below max -500"),
         ("rapid = 15000.0", "rapid = inf", "axes X: rapid is inf: it must be a finite number"),
     ] {
-        let file = write(&folder, "mill.toml", Machine::DEMO_MILL.replacen(from, to, 1));
+        assert!(Machine::DEMO_MILL.contains(from), "{from}");
+        let file = write(&folder, "mill.toml", Machine::DEMO_MILL.replace(from, to));
         let answer = ferrocut(&["machine", "check", &file]);
         assert!(answer.code == 1 && answer.out.contains(says), "{to}: {}", answer.out);
     }

@@ -129,6 +129,22 @@ fn a_backup_goes_to_a_pipe() {
         assert_eq!(with_input(arguments, "").code, 2);
     }
     assert!(ferrocut(&["memory", "show", &restored, "--item", "programs"]).out.contains("O1234"));
+    #[cfg(unix)]
+    {
+        // What is none may have no end.
+        let endless = ferrocut(&["memory", "check", "/dev/zero"]);
+        assert_eq!((endless.code, endless.out.as_str()), (2, ""), "{}", endless.err);
+        let mut check = command(&["memory", "check", "-"]);
+        let answer = common::answer(check.env("TMPDIR", "/no/such").write_stdin(piped.out.as_str()));
+        let says = answer.err.contains("FC-0907") && answer.err.contains("/no/such");
+        assert!(answer.code == 2 && says, "{}", answer.err);
+        // A standard error that takes nothing does not stop the backup.
+        if let Ok(full) = std::fs::OpenOptions::new().write(true).open("/dev/full") {
+            let mut backup = std::process::Command::new(env!("CARGO_BIN_EXE_ferrocut"));
+            let done = backup.args(["memory", "backup", &path, "-o", "-"]).stderr(full).output().unwrap();
+            assert_eq!(done.status.code(), Some(0));
+        }
+    }
     // A memory does not.
     let refused = ferrocut(&["memory", "restore", &file, "-"]);
     assert!(refused.code == 2 && refused.err.contains("a memory is a folder"), "{}", refused.err);

@@ -171,6 +171,7 @@ fn a_plot_begins_before_the_program_ends() {
     assert_eq!(with_input(&["plot", "-", "-o", &file, "--from", &from], program).code, 0);
     // What does not move has a plot all the same.
     assert_eq!(with_input(&["plot", "-"], "M30\n").code, 0);
+    assert_eq!(with_input(&["plot", "-", "--from", "1"], "M30\n").code, 0);
 }
 
 #[test]

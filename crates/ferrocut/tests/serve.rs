@@ -132,6 +132,7 @@ fn switches_of_other_commands_are_refused() {
         (&["--tcp", "127.0.0.1:0", "--tool-table", "mill.tbl"], "'--tool-table'"),
         (&["--tcp", "127.0.0.1:0", "--var-file", "mill.var"], "'--var-file'"),
         (&["--tcp", "127.0.0.1:0", "--block-skip"], "'--block-skip'"),
+        (&["--tcp", "127.0.0.1:0", "--memory", "-"], "a memory is a folder"),
         (&["--grbl", "tcp:0", "--public", "public.dat"], "'--public <FILE>'"),
         // What was kept would have another below it at every start.
         (&["--tcp", "127.0.0.1:0", "--setup", "a.toml", "--memory", "kept"], "'--setup <FILE>'"),

@@ -275,7 +275,9 @@ impl Machine {
 
     /// Reads a machine file and checks that every number makes a machine.
     pub fn from_toml(text: &str) -> Result<Machine, ConfigError> {
-        let machine: Machine = toml::from_str(text).map_err(|e| match text.contains("axes") {
+        let keys = ["[", "name", "dialect", "servo_period_ms", "public_programs", "axes"];
+        let is_one = || text.lines().any(|line| keys.iter().any(|key| line.trim_start().starts_with(key)));
+        let machine: Machine = toml::from_str(text).map_err(|e| match is_one() {
             true => ConfigError::toml(&e),
             // Such as a part program: what TOML has against it says nothing.
             false => ConfigError::label("label-config-no-machine"),

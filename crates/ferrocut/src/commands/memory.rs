@@ -210,7 +210,7 @@ pub fn run(args: &MemoryArgs) -> Result<Exit, Failure> {
 }
 
 /// A folder that is made where there is none; - is no name for one.
-fn folder() -> impl TypedValueParser<Value = PathBuf> {
+pub fn folder() -> impl TypedValueParser<Value = PathBuf> {
     PathBufValueParser::new().try_map(|folder| match folder.as_os_str() == "-" {
         true => Err("a memory is a folder; only a backup goes through - (./- is a folder of this name)"),
         false => Ok(folder),

@@ -12,6 +12,7 @@ use ferrocut_interpreter::Options;
 use serde::Serialize;
 use std::collections::BTreeMap;
 use std::ffi::OsStr;
+use std::io::{self, Write};
 use std::path::Path;
 
 /// What was measured as JSON.
@@ -88,7 +89,7 @@ pub fn run(args: &PlotArgs) -> Result<Exit, Failure> {
         gauge.axes.retain(|axis| axis.peaks.iter().any(|peak| peak.value > 0.0));
     }
     let exit = report_end(&cnc, &shop, &name);
-    if exit == Exit::Fine && args.from > 0.0 && args.from >= length {
+    if exit == Exit::Fine && length > 0.0 && args.from >= length {
         return Err(Failure::plot_setting("--from", &args.from.to_string(), &format!("< {length:.3}")));
     }
     let is_json = shop.diagnostics.is_json();
@@ -109,7 +110,7 @@ pub fn run(args: &PlotArgs) -> Result<Exit, Failure> {
         let said = serde_json::json!(report(&gauge, &cnc, &name, &machine.name));
         match is_piped {
             // Standard output is the picture's, as that of `import` is the program's.
-            true => eprintln!("{said}"),
+            true => drop(writeln!(io::stderr(), "{said}")),
             false => layout::print(&format!("{said}\n")),
         }
     }

@@ -15,11 +15,14 @@ use ferrocut_memory::{Backup, Error, Level, OpenError, Reader, Seat, Settings, S
 use ferrocut_program::Span;
 use serde_json::json;
 use std::fs::File;
-use std::io::{self, BufRead, Read};
+use std::io::{self, BufRead, BufReader, Read, Write};
 use std::path::Path;
 
 /// Longest line that is read as a password, bytes.
 const LINE: u64 = 1024;
+
+/// How a backup begins.
+const HEAD: &[u8] = b"{\"ferrocut-backup\":";
 
 /// The memory in a folder, made where there is none.
 pub fn open(folder: &Path, control: &str) -> Result<Store, Failure> {
@@ -62,7 +65,7 @@ pub fn back_up(args: &BackupArgs, diagnostics: &Diagnostics) -> Result<Exit, Fai
     };
     match is_piped {
         // Standard output is the backup's, as that of `import` is the program's.
-        true => eprintln!("{said}"),
+        true => drop(writeln!(io::stderr(), "{said}")),
         false => print(&format!("{said}\n")),
     }
     Ok(Exit::Fine)
@@ -73,18 +76,34 @@ pub fn opened_backup(path: &Path) -> Result<Backup, Failure> {
     if path.is_dir() {
         return Err(Failure::of_open(path, ferrocut_program::OpenError::Folder));
     }
-    let opened = match path == Path::new("-") {
-        true => copied(io::stdin().lock()),
-        false => File::open(path).and_then(|file| if path.is_file() { Ok(file) } else { copied(file) }),
+    let file = match path == Path::new("-") {
+        true => copied(io::stdin().lock(), path)?,
+        false => {
+            let file = File::open(path).map_err(|error| unreadable(path, &error))?;
+            if path.is_file() { file } else { copied(BufReader::new(file), path)? }
+        }
     };
-    let file = opened.map_err(|error| Failure::unreadable(&name(path), &error.to_string()))?;
     Backup::of(file, &name(path)).map_err(|error| refused_backup(path, &error))
 }
 
-fn copied(mut from: impl Read) -> io::Result<File> {
-    let mut file = tempfile::tempfile()?;
-    io::copy(&mut from, &mut file)?;
-    Ok(file)
+fn unreadable(path: &Path, error: &io::Error) -> Failure {
+    Failure::unreadable(&name(path), &error.to_string())
+}
+
+fn copied(mut from: impl BufRead, path: &Path) -> Result<File, Failure> {
+    let unwritable = |error| Failure::cannot_write(&name(&std::env::temp_dir()), &error);
+    let mut file = tempfile::tempfile().map_err(unwritable)?;
+    let mut is_backup = None;
+    loop {
+        let piece = from.fill_buf().map_err(|error| unreadable(path, &error))?;
+        file.write_all(piece).map_err(unwritable)?;
+        // What begins otherwise may have no end, and is judged by its first piece.
+        if piece.is_empty() || !*is_backup.get_or_insert(HEAD.iter().zip(piece).all(|(a, b)| a == b)) {
+            return Ok(file);
+        }
+        let count = piece.len();
+        from.consume(count);
+    }
 }
 
 /// Restores a backup.
