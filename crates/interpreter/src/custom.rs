@@ -12,9 +12,9 @@ use crate::execute::{Part, Rest};
 use crate::interpreter::Interpreter;
 use crate::modal::Group;
 use crate::stages::units;
-use crate::words::Words;
+use crate::words::{Code, Words};
 use ferrocut_geometry::{Axis, MM_PER_INCH};
-use ferrocut_machine::Alarm;
+use ferrocut_machine::{Alarm, Fault};
 use ferrocut_program::{ProgramId, ProgramMemory, Span};
 use std::io;
 
@@ -201,10 +201,25 @@ impl Interpreter {
 
     /// The program that stands for the cycle in force.
     pub(crate) fn custom_cycle(&self) -> Option<Custom> {
+        self.custom_of_cycle(self.modal.code(Group::Cycle)?)
+    }
+
+    fn custom_of_cycle(&self, row: &GCode) -> Option<Custom> {
         self.custom.as_ref()?;
-        let row = self.modal.code(Group::Cycle)?;
         let code = Custom::G(row.tenths / 10);
         (matches!(row.meaning, Meaning::Cycle(_)) && self.is_custom(code)).then_some(code)
+    }
+
+    /// Refuses two cycles in a block where a program of the shop stands for one of them: it would go for nothing, or the other
+    /// would. Of those that the control has the last counts, as on Fanuc; the manual (Weihong 4.3) says nothing of either.
+    pub(crate) fn refuse_beside_own(&self, before: Code<GCode>, row: &GCode) -> Fallible<()> {
+        let is_own = |row: &GCode| {
+            row.meaning == Meaning::Cycle(CycleKind::Own) || self.custom_of_cycle(row).is_some()
+        };
+        if before.row.meaning != Meaning::CycleOff && (is_own(before.row) || is_own(row)) {
+            return Err(self.alarm(Fault::NeedsOwnBlock, before.span));
+        }
+        Ok(())
     }
 
     /// Sets the block aside and runs the program of one of its codes; `rest` is done behind it.
@@ -299,7 +314,7 @@ impl Interpreter {
 
     /// The alarm of programs that cannot be read while codes are looked for.
     pub(crate) fn unreadable_programs(error: &io::Error) -> Box<Alarm> {
-        let alarm = Alarm::core(ferrocut_machine::Fault::FileUnreadable, Span { line: 1, ..Span::default() });
+        let alarm = Alarm::core(Fault::FileUnreadable, Span { line: 1, ..Span::default() });
         Box::new(alarm.with("reason", error.to_string()))
     }
 }

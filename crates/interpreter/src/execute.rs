@@ -464,7 +464,9 @@ impl Interpreter {
                 continue;
             }
             if let Some(custom) = self.custom_g(row) {
-                codes.custom = Some((custom, span));
+                if let Some((_, before)) = codes.custom.replace((custom, span)) {
+                    return Err(self.alarm(Fault::NeedsOwnBlock, before));
+                }
                 continue;
             }
             match row.group {
@@ -479,7 +481,11 @@ impl Interpreter {
                     motion = true;
                     self.modal.set(row);
                 }
-                Group::Cycle => cycle = Some(row),
+                Group::Cycle => {
+                    if let Some(before) = cycle.replace(code) {
+                        self.refuse_beside_own(before, row)?;
+                    }
+                }
                 Group::Cutter => {
                     codes.cutter = true;
                     self.modal.set(row);
@@ -544,8 +550,15 @@ impl Interpreter {
                 _ => self.modal.set(row),
             }
         }
+        // The program of a code takes the block's words: no other code of the block acts on them.
+        if codes.custom.is_some()
+            && let Some(other) =
+                codes.non_modal.or(cycle.filter(|code| code.row.meaning != Meaning::CycleOff))
+        {
+            return Err(self.alarm(Fault::NeedsOwnBlock, other.span));
+        }
         // A motion code ends the cycle, also one of the same block (GSK990MC 4.1 note 6).
-        match cycle {
+        match cycle.map(|code| code.row) {
             // A program of the shop is run, whatever stands beside its code.
             Some(row) if row.meaning == Meaning::Cycle(CycleKind::Own) => {
                 if let Some(code) = codes.non_modal {

@@ -550,6 +550,8 @@ fn programs_stand_for_codes() {
             "[start]\nz = 20",
             &["rapid X-3 Y-5", "end M30"],
         ),
+        // The end of a cycle comes before it.
+        ("G81 R1 Z0 F9 K0\nG80 G77 X5\nM30\nO677\nX=#FC1\nM17", "", &["rapid X5", "end M30"]),
         // It is no canned cycle of the plane XY.
         ("G18 G77\nM30\nO677\nX4\nM17", "", &["rapid X4", "end M30"]),
         // The code of the program itself is the built-in one, also a level deeper.
@@ -621,6 +623,15 @@ fn programs_break_rules() {
         // In its own program it is what the control has.
         ("G77\nM30\nO677\nG77 X1\nM17", "", Fault::UnknownGCode, "G77"),
         ("G53 G77 X1\nM30\nO677\nX1\nM17", "", Fault::NeedsOwnBlock, "G53"),
+        // Of two codes of which a program takes the words none goes for nothing.
+        ("G5 G6 X1\nM30\nO605\nX1\nM17\nO606\nX2\nM17", "", Fault::NeedsOwnBlock, "G5"),
+        ("G5 G81 X1 R1 Z0 F9\nM30\nO605\nX1\nM17", "", Fault::NeedsOwnBlock, "G5"),
+        ("G81 G5 X1 R1 Z0 F9\nM30\nO605\nX1\nM17", "", Fault::NeedsOwnBlock, "G81"),
+        ("G82 G81 X1 R1 Z0 F9\nM30\nO681\nX1\nM17", "", Fault::NeedsOwnBlock, "G82"),
+        ("G4 G28 X1\nM30\nO604\nX1\nM17\nO628\nX2\nM17", "", Fault::NeedsOwnBlock, "G4"),
+        ("G4 G28 X1\nM30\nO604\nX1\nM17", "", Fault::NeedsOwnBlock, "G28"),
+        ("G65 P1 G4\nM30\nO1\nX2\nM17\nO604\nX1\nM17", "", Fault::NeedsOwnBlock, "G65"),
+        ("G54 G81 X1 R1 Z0 F9\nM30\nO654\nX1\nM17", "", Fault::NeedsOwnBlock, "G81"),
         ("M901 LEVEL1\nM30", "", Fault::WordMissing, "M901"),
         ("G904 FX9 LX1\nM30", "", Fault::WordMissing, "G904"),
         ("G904 FX0 PX1 LX1\nM30", "", Fault::FeedOutOfRange, "FX0"),
