@@ -65,6 +65,7 @@ fn programs_are_called_by_number_and_name_and_share_variables() {
         ("G91 G65 P7 L2\nG65 P7 L0\nG65 P7 L-1\nM30\nO7\nX1\nM17", "", &["rapid X1", "rapid X2", "end M30"]),
         // Words beside it set variables as on Fanuc.
         ("M98 P8\nG65 P8 A4 X6\nM30\nO8\nX=#1 Y=#24\nM17", "", &["rapid X4 Y6", "end M30"]),
+        ("G65 P8 H6\nM30\nO8\nX=#11\nM17", "", &["rapid X6", "end M30"]),
         // M17 in the main program ends it, M30 in a subprogram too.
         ("X1\nM17\nX2", "", &["rapid X1", "end M17"]),
         ("G65 P1\nX9\nM30\nO1\nX1\nM30", "", &["rapid X1", "end M30"]),

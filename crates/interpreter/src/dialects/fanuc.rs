@@ -195,8 +195,8 @@ pub fn row(table: &'static [GCode], tenths: u16) -> &'static GCode {
     found.unwrap_or(&CYCLE_OFF)
 }
 
-/// The local variable that an address of G65 sets (Fanuc's first way of arguments). H is no argument: it
-/// makes G65 an operation.
+/// The local variable that an address of G65 sets (Fanuc's first way of arguments). Where H makes G65 an operation
+/// (GSK990MC 4.9.4), it comes here as no argument.
 pub fn argument(letter: u8) -> Option<u32> {
     Some(match letter {
         b'A' => 1,
@@ -208,6 +208,7 @@ pub fn argument(letter: u8) -> Option<u32> {
         b'D' => 7,
         b'E' => 8,
         b'F' => 9,
+        b'H' => 11,
         b'M' => 13,
         b'Q'..=b'Z' => u32::from(letter - b'Q') + 17,
         _ => return None,
@@ -318,6 +319,6 @@ mod tests {
     #[test]
     fn arguments_are_those_of_fanuc() {
         let numbers = [b'A', b'D', b'Q', b'Z', b'G', b'P', b'H'].map(argument);
-        assert_eq!(numbers, [Some(1), Some(7), Some(17), Some(26), None, None, None]);
+        assert_eq!(numbers, [Some(1), Some(7), Some(17), Some(26), None, None, Some(11)]);
     }
 }
