@@ -714,14 +714,14 @@ impl Interpreter {
         true
     }
 
-    /// M99 in the main program: its start again (GSK990MC 3.2.3). True where the program ends instead: at a desk, unless
-    /// a further pass leads to an end of its own.
-    pub(crate) fn start_again(&mut self, span: Span) -> Fallible<bool> {
+    /// M99 in the main program: its start again (GSK990MC 3.2.3), or another block of it. True where the program ends instead:
+    /// at a desk, unless a further pass leads to an end of its own.
+    pub(crate) fn start_again(&mut self, at: Place, span: Span) -> Fallible<bool> {
         self.flow.passes += 1;
         if !self.options.loops_forever {
             // A block that is searched may be run in any pass whose state is another than those before.
             if !self.flow.ends_later && self.flow.mark().is_none() {
-                if !self.ends_later(span) {
+                if !self.ends_later(at, span) {
                     return Ok(true);
                 }
                 self.flow.ends_later = true;
@@ -736,18 +736,18 @@ impl Interpreter {
             }
             self.pass_state = Some(state);
         }
-        self.flow.jump(Place::default());
-        self.flow.entered = false;
+        self.flow.jump(at);
+        self.flow.entered = at != Place::default();
         Ok(false)
     }
 
-    /// Whether one of the passes that follow comes to M02 or M30.
-    fn ends_later(&self, span: Span) -> bool {
+    /// Whether one of the passes that follow, which begin at a block, comes to M02 or M30.
+    fn ends_later(&self, at: Place, span: Span) -> bool {
         let mut ahead = self.clone();
         ahead.flow.ends_later = true;
         (ahead.options.keep_going, ahead.options.warns) = (false, false);
         ahead.alarms.clear();
-        if !matches!(ahead.start_again(span), Ok(false)) {
+        if !matches!(ahead.start_again(at, span), Ok(false)) {
             return false;
         }
         let mut blocks = MAX_LOOKED_THROUGH;

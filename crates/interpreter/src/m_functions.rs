@@ -9,7 +9,7 @@ use crate::interpreter::Interpreter;
 use crate::words::Code;
 use ferrocut_geometry::Axis;
 use ferrocut_machine::Fault;
-use ferrocut_program::{ProgramId, Span};
+use ferrocut_program::{Place, ProgramId, Span};
 use ferrocut_toolpath::{Op, SpindleState};
 
 impl Interpreter {
@@ -99,14 +99,7 @@ impl Interpreter {
             }
             MFunction::Machine => self.emit(Op::Machine(code.code.into())),
             MFunction::Call => return self.subprogram_call(span),
-            MFunction::Return => {
-                let is_main = !self.go_back();
-                if is_main && self.options.return_ends {
-                    self.end_program(30)?;
-                } else if is_main && self.start_again(span)? {
-                    self.end_program(code.code)?;
-                }
-            }
+            MFunction::Return => return self.program_return(code, span),
             MFunction::ProgramEnd => self.end_program(code.code)?,
             MFunction::Message => self.message(),
             MFunction::Internal => self.internal_number(span)?,
@@ -119,6 +112,30 @@ impl Interpreter {
                     self.end_program(code.code)?;
                 }
             }
+        }
+        Ok(())
+    }
+
+    /// M99. P is the number of the block where the caller goes on, in the main program that of the next block, as on Fanuc:
+    /// manuals have M99 alone (Weihong 4.2, GSK990MC 5.2.5, Kaitong appendix 10), Weihong's 3.1 P as a sequence number too.
+    fn program_return(&mut self, code: &MCode, span: Span) -> Fallible<()> {
+        let to = self.words.get(b'P').map(|number| (number, self.words.span(b'P')));
+        let depth = self.flow.depth_of_calls();
+        let is_main = !self.go_back();
+        if is_main && self.options.return_ends {
+            return self.end_program(30);
+        }
+        let (from, is_done) = (self.flow.executing(), self.flow.depth_of_calls() < depth);
+        if let Some((number, at)) = to.filter(|_| is_main || is_done) {
+            self.go_to(number, Fault::SequenceMissing, at)?;
+        }
+        let again = match to {
+            Some(_) => self.flow.next_place(),
+            None => Place::default(),
+        };
+        // Further down it is no other pass of the program.
+        if is_main && again <= from && self.start_again(again, span)? {
+            return self.end_program(code.code);
         }
         Ok(())
     }

@@ -499,3 +499,31 @@ fn other_m_codes_and_a_skip_without_signal() {
     assert_eq!(fault(""), None);
     assert_eq!(fault("[parameters]\n\"P021.3\" = 1"), Some(Fault::SkipWithoutSignal));
 }
+
+/// P of M99 is the block where the caller goes on, in the main program the next one (Fanuc 0i-M).
+#[test]
+fn a_return_names_a_block() {
+    let returns = "G90 X1\nM98 P7\nX9\nN4 Y2\nM30\nO7\nZ5\nM99 P4";
+    let cases: &[Case] = &[
+        (returns, "", &["rapid X1", "rapid Z5", "rapid Y2", "end M30"]),
+        // It is no dwell of a cycle in force.
+        (
+            "G99 G82 X1 R0 Z-1 F50\nM98 P7\nN4 X2\nM30\nO7\nM99 P4",
+            "",
+            &["rapid X1", "feed Z-1 F50", "rapid Z0", "rapid X2", "feed Z-1 F50", "rapid Z0", "end M30"],
+        ),
+        // Further down it leads on, whatever the program ends with.
+        ("X1\nM99 P4\nX9\nN4 Y2\nM99", "", &["rapid X1", "rapid Y2", "end M99"]),
+        ("X1\nM99 P4\nX9\nN4 Y2\nM30", "", &["rapid X1", "rapid Y2", "end M30"]),
+        // Further up it goes on as long as that leads to an end, and a pass is not like the one before.
+        (
+            "N1 #1=0\nN2 #1=#1+1\nX#1\nIF[#1EQ3]GOTO9\nM99 P2\nN9 M30",
+            "",
+            &["rapid X1", "rapid X2", "rapid X3", "end M30"],
+        ),
+        ("X1\nN2 Y1\nY2\nM99 P2", "", &["rapid X1", "rapid Y1", "rapid Y2", "end M99"]),
+    ];
+    hold(cases);
+    let (_, alarm) = run_on(&DIALECT, "X1\nM99 P7", "");
+    assert_eq!(alarm.map(|alarm| alarm.fault), Some(Fault::SequenceMissing));
+}

@@ -66,6 +66,12 @@ fn programs_are_called_by_number_and_name_and_share_variables() {
         // Words beside it set variables as on Fanuc.
         ("M98 P8\nG65 P8 A4 X6\nM30\nO8\nX=#1 Y=#24\nM17", "", &["rapid X4 Y6", "end M30"]),
         ("G65 P8 H6\nM30\nO8\nX=#11\nM17", "", &["rapid X6", "end M30"]),
+        // Its caller goes on at the block that P of M99 names, behind the last repeat.
+        (
+            "N1 G65 P7 L2\nX5\nN3 Y3\nM30\nO7\nG91 X1\nG90 M99 P3",
+            "",
+            &["rapid X1", "rapid X2", "rapid Y3", "end M30"],
+        ),
         // M17 in the main program ends it, M30 in a subprogram too.
         ("X1\nM17\nX2", "", &["rapid X1", "end M17"]),
         ("G65 P1\nX9\nM30\nO1\nX1\nM30", "", &["rapid X1", "end M30"]),
@@ -656,6 +662,7 @@ fn programs_break_rules() {
         ("X\"a\"\nM30", "", Fault::AddressWithoutNumber, "X\"a\""),
         ("G65 P\"NONE\"\nM30", "", Fault::ProgramMissing, "P\"NONE\""),
         ("G65 L2\nM30", "", Fault::CallWithoutProgram, "G65"),
+        ("G65 P1\nM30\nO1\nN5 M99 P5", "", Fault::SequenceMissing, "P5"),
         ("N=1/2 X5\nM30", "", Fault::WordNotWhole, "N=1/2"),
         ("O=7 X5\nM30", "", Fault::VariableInNumber, "O=7"),
         ("(a)\nM30", "", Fault::IllegalCharacter, "("),
