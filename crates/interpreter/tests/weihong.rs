@@ -654,6 +654,9 @@ fn programs_break_rules() {
         ("G43 H8 Z1\nM30", "", Fault::OffsetNumber, "H8"),
         ("G41 D8 X1\nM30", "", Fault::OffsetNumber, "D8"),
         ("G83 R0 Z-5 F9\nM30", "", Fault::CycleNoPeck, "G83"),
+        // 4.3: K and L are numbers of holes; only those of figures say by their sign which way round.
+        ("G81 X1 R1 Z0 F9 K-2\nM30", "", Fault::WordNegative, "K-2"),
+        ("G81 X1 R1 Z0 F9 L-2\nM30", "", Fault::WordNegative, "L-2"),
         ("X=#NONESUCH\nM30", "", Fault::UnknownVariable, "NONESUCH"),
         ("#CURMACHPOS.X=1\nM30", "", Fault::VariableNotWritable, "#CURMACHPOS.X=1"),
         ("#FIXEDCYCLE_OSS=9\nM30", "", Fault::DataParameter, "#FIXEDCYCLE_OSS=9"),

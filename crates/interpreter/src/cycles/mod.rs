@@ -332,11 +332,14 @@ impl Interpreter {
         }
         // What K is there, the program says.
         let repeats = if is_own { 1.0 } else { self.repeats() };
-        if repeats.fract() != 0.0 && !self.rules.counts_take_any_number {
-            return Err(self.alarm_at(Fault::WordNotWhole, self.rules.cycles.repeat_letter));
-        }
-        if repeats > MAX_REPEATS {
-            return Err(self.alarm_at(Fault::WordOutOfRange, self.rules.cycles.repeat_letter));
+        let fault = match repeats {
+            _ if repeats.fract() != 0.0 && !self.rules.counts_take_any_number => Some(Fault::WordNotWhole),
+            _ if repeats < 0.0 => Some(Fault::WordNegative),
+            _ => (repeats > MAX_REPEATS).then_some(Fault::WordOutOfRange),
+        };
+        if let Some(fault) = fault {
+            let letter = self.repeats_word().map_or(self.rules.cycles.repeat_letter, |(letter, _)| letter);
+            return Err(self.alarm_at(fault, letter));
         }
         let holes = repeats as u32;
         // A program that stands for the cycle repeats by itself.
@@ -365,9 +368,14 @@ impl Interpreter {
 
     /// How many holes the block asks for.
     pub(crate) fn repeats(&self) -> f64 {
+        let given = self.repeats_word().map_or(1.0, |(_, repeats)| repeats);
+        if self.rules.cycles.repeats_lose_sign { given.abs() } else { given }
+    }
+
+    /// The word that counts them, and its value.
+    fn repeats_word(&self) -> Option<(u8, f64)> {
         let letters = [Some(self.rules.cycles.repeat_letter), self.rules.cycles.other_repeat_letter];
-        let given = letters.into_iter().flatten().find_map(|letter| self.words.get(letter));
-        given.map_or(1.0, f64::abs)
+        letters.into_iter().flatten().find_map(|letter| Some((letter, self.words.get(letter)?)))
     }
 
     /// Whether holes of the present block are still to be cut.

@@ -98,6 +98,8 @@ pub struct Rules {
     pub other_repeat_letter: Option<u8>,
     /// What it means.
     pub repeat: Repeat,
+    /// A negative count is as good as its amount; else it is an alarm.
+    pub repeats_lose_sign: bool,
     /// Cycles work in X, Y and along Z whatever the plane; else G18 and G19 are alarms.
     pub in_any_plane: bool,
     /// Retract of chip breaking (G73).
@@ -143,6 +145,7 @@ impl Default for Rules {
             repeat_letter: b'K',
             other_repeat_letter: None,
             repeat: Repeat::Block,
+            repeats_lose_sign: false,
             in_any_plane: true,
             chip_break_retract: 0.0,
             peck_clearance: 0.0,

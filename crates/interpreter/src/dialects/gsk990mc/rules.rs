@@ -170,6 +170,8 @@ fn cycles(parameters: &Parameters) -> cycles::Rules {
         repeat_letter: b'K',
         other_repeat_letter: None,
         repeat: Repeat::Block,
+        // Table 4-4-1, K.
+        repeats_lose_sign: true,
         in_any_plane: false,
         chip_break_retract: p(270),
         peck_clearance: p(271),
