@@ -642,7 +642,7 @@ impl Interpreter {
         Ok(())
     }
 
-    /// How many M codes, and which together (GSK990MC alarm 0119, bit 33#7).
+    /// How many M codes (GSK990MC 5, bit 33#7, which names no alarm), and which together (alarm 0119).
     fn check_m_codes(&self) -> Fallible<()> {
         let m = &self.words.m;
         let (Some(first), Some(last)) = (m.first(), m.last()) else { return Ok(()) };
@@ -654,7 +654,8 @@ impl Interpreter {
             return Err(self.alarm(Fault::ProgramCodesTogether, span));
         }
         if m.len() > usize::from(self.rules.m_codes_in_block) {
-            return Err(self.alarm(Fault::TooManyMCodes, span));
+            let limit = f64::from(self.rules.m_codes_in_block);
+            return Err(Box::new(self.alarm(Fault::TooManyMCodes, span).with("limit", limit)));
         }
         Ok(())
     }

@@ -70,7 +70,6 @@ const CASES: &[(Fault, u16, &str, &str, &str)] = &[
     (Fault::VariableNotWritable, 116, "G0 X1\n#5001=5\nM30", "#5001=5", ""),
     (Fault::BracketsTooDeep, 118, "G0 X1\nX[[[[[[1]]]]]]\nM30", "[", ""),
     (Fault::ProgramCodesTogether, 119, "G0 X1\nM8 M0\nM30", "M8 M0", ""),
-    (Fault::TooManyMCodes, 119, "G0 X1\nM3 M8 M10 M11 S5\nM30", "M3 M8 M10 M11", ""),
     (Fault::NoProgramEnd, 124, "G0 X1\n", "G0 X1", ""),
     (Fault::MalformedExpression, 125, "G0 X1\nX[1+]\nM30", "]", ""),
     (Fault::MalformedStatement, 125, "G0 X1\n#1\nM30", "1", ""),
@@ -338,9 +337,22 @@ fn what_repeats_may_do_so_where_the_parameter_lets_it() {
     ] {
         assert_eq!(lines(program, setup), [step, "end M30"], "{program}");
     }
-    // 33#7 = 0: one M code in a block.
+}
+
+/// 5: one M code in a block, with 33#7 three; the list of alarms has no number for more, 0119 is of codes that stand alone.
+#[test]
+fn m_codes_of_a_block_are_counted() {
     let one = "[parameters]\n\"NO33.7\" = 0";
-    raises(Fault::TooManyMCodes, 119, "G0 X1\nM8 M10\nM30", "M8 M10", one);
+    for (program, words, setup, limit) in
+        [("M3 M8 M10 M11 S5\nM30", "M3 M8 M10 M11", "", "at most 3"), ("M8 M10\nM30", "M8 M10", one, "at most 1")]
+    {
+        let (_, alarm) = run(program, setup);
+        let alarm = alarm.unwrap_or_else(|| panic!("{program}: no alarm"));
+        let found = (alarm.id, at_fault(program, &alarm));
+        assert_eq!(found, (AlarmId::Core(Fault::TooManyMCodes), words), "{program}");
+        let text = ferrocut_machine::Catalogue::new(ferrocut_machine::Language::En).message(&alarm);
+        assert!(text.contains(limit), "{text}");
+    }
 }
 
 #[test]

@@ -138,7 +138,6 @@ pub const ALARMS: &[(Fault, u16)] = &[
     (Fault::VariableNotWritable, 116),
     (Fault::BracketsTooDeep, 118),
     (Fault::ProgramCodesTogether, 119),
-    (Fault::TooManyMCodes, 119),
     (Fault::NoProgramEnd, 124),
     (Fault::MalformedExpression, 125),
     (Fault::MalformedStatement, 125),
