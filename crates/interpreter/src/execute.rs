@@ -296,14 +296,6 @@ impl Interpreter {
             return self.profile_block();
         }
         self.check_m_codes()?;
-        if self.technology.rigid_tapping
-            && self.words.has(b'S')
-            && !self.words.m.iter().any(|m| m.row.function == MFunction::RigidTapping)
-            && !self.words.g.iter().any(|g| g.row.group == Group::Cycle)
-            && !self.cycle.is_active()
-        {
-            return Err(self.alarm_at(Fault::RigidMisplaced, b'S'));
-        }
         let axes = self.words.axes(self.rules.axes);
         let ends_data = self.words.g.iter().any(|g| g.row.meaning == Meaning::DataSettingOff)
             || self.words.m.iter().any(|m| m.row.controls_program);
@@ -326,6 +318,7 @@ impl Interpreter {
         rest.axes = axes;
         self.check_axes()?;
         self.check_moving_axes(axes, codes)?;
+        self.check_rigid_tapping(axes, codes)?;
         self.check_corner(axes, codes)?;
         if codes.non_modal.is_some_and(|code| code.row.meaning == Meaning::DataSetting) {
             self.check_data_block_is_alone()?;
@@ -676,6 +669,32 @@ impl Interpreter {
             return Err(self.alarm(Fault::TooManyAxes, self.words.block_span()));
         }
         Ok(())
+    }
+
+    /// Neither a speed nor a move of the axes stands between M29 and its tapping cycle (GSK990MC alarm 0203, which is Fanuc's);
+    /// tool length does (4.4.5, example).
+    fn check_rigid_tapping(&self, axes: AxisSet, codes: &Codes) -> Fallible<()> {
+        let waits = self.technology.rigid_tapping && self.cycle_kind().is_none();
+        let decides = |function| matches!(function, MFunction::RigidTapping | MFunction::RigidTappingOff);
+        if !waits || self.words.m.iter().any(|m| decides(m.row.function)) {
+            return Ok(());
+        }
+        if self.words.has(b'S') {
+            return Err(self.alarm_at(Fault::RigidMisplaced, b'S'));
+        }
+        let moves = match codes.non_modal.map(|code| code.row.meaning) {
+            Some(
+                Meaning::Skip
+                | Meaning::MachinePosition
+                | Meaning::OneWay
+                | Meaning::ReferenceReturn
+                | Meaning::FurtherReferenceReturn
+                | Meaning::ReturnFromReference,
+            ) => !axes.is_empty(),
+            Some(_) => false,
+            None => !codes.takes_words && self.block_moves(axes),
+        };
+        if moves { Err(self.alarm(Fault::RigidMisplaced, self.words.block_span())) } else { Ok(()) }
     }
 
     /// `,L` and `,R` stand at the end of moves that the motion codes make (GSK990MC 4.2.18).

@@ -512,6 +512,10 @@ const SAME_NUMBER: &[(u16, &str, &str, &str)] = &[
     (199, "G65 H50", "G65 H50", ""),
     // 0200: P294 for rigid tapping.
     (200, "M29 S1500\nG84 X2 Z-5 R0 F100", "G84", "[parameters]\nP294 = 1000"),
+    // 0203: nor does an axis move between M29 and the cycle.
+    (203, "M29 S100\nG1 X2 F100\nG84 X2 Z-5 R0 F100", "G1 X2 F100", ""),
+    (203, "M29 S100\nG0 X2\nG84 X2 Z-5 R0 F100", "G0 X2", ""),
+    (203, "M29 S100\nG28 Z0\nG84 X2 Z-5 R0 F100", "G28 Z0", ""),
     // 0201: a feed of the other kind does not count.
     (201, "G1 X3 F100\nG95\nM29 S500\nG84 X2 Z-5 R0", "G84", ""),
     (201, "G95 G1 X3 F0.2\nG94\nM29 S500\nG84 X2 Z-5 R0", "G84", ""),

@@ -172,7 +172,8 @@ fn a_rigid_thread_keeps_its_pitch_beyond_the_highest_feed() {
     // 4.4.5, 4.5.1: F beyond P96 counts as P96, and the pitch is F/S: 3 mm at 500 r/min.
     let held = || vec![(Fault::TappingFeedHeld, "F3000".to_owned())];
     for (code, pitch) in [("G84", 3.0), ("G74", -3.0)] {
-        let program = format!("M29 S1000\nG99 {code} X1 Z-5 R2 F3000\nX5\nG80\nM30\n");
+        // 4.4.5, example: tool length stands between.
+        let program = format!("M29 S1000\nG43 H10\nG99 {code} X1 Z-5 R2 F3000\nX5\nG80\nM30\n");
         let setup = "[start]\nz = 50\n[parameters]\nP96 = 1500";
         assert_eq!(told_and_tapped(&program, setup), (held(), vec![(pitch, 500.0); 4]), "{program}");
     }

@@ -308,7 +308,7 @@ fn only_while_the_axes_stand() {
 
 #[test]
 fn m_codes_are_sent_in_the_order_in_which_they_came_last() {
-    let text = "O1\nT3 M06\nT4\nM35\nM36\nM35\nM29 S300\nG00 X0 Y0 Z5\nG84 Z-5 R1 F300\nG80\nS900 M04\nG00 X9\nM30\n";
+    let text = "O1\nT3 M06\nT4\nM35\nM36\nM35\nG00 X0 Y0 Z5\nM29 S300\nG84 Z-5 R1 F300\nG80\nS900 M04\nG00 X9\nM30\n";
     let interpreter = interpreter(text, "");
     let restart = find(&interpreter, at(12, 1)).unwrap();
     // Rigid tapping ended with its cycle.

@@ -485,8 +485,8 @@ FC-0452 = G29 has no intermediate point to go through
 FC-0510 = Rigid tapping without a feed
     .help = Give F in the cycle or before it.
 
-FC-0511 = A speed stands between M29 and the tapping cycle
-    .help = Give S in the block of M29.
+FC-0511 = A speed or a move stands between M29 and the tapping cycle
+    .help = Give S in the block of M29, and move the axes before it.
 
 FC-0512 = The plane is changed in rigid tapping
     .help = End rigid tapping with G80 or M28 first.

@@ -485,8 +485,8 @@ FC-0452 = G29 no tiene punto intermedio por el que pasar
 FC-0510 = Roscado rígido sin avance
     .help = Dé F en el ciclo o antes.
 
-FC-0511 = Hay una velocidad entre M29 y el ciclo de roscado
-    .help = Dé S en el bloque de M29.
+FC-0511 = Hay una velocidad o un movimiento entre M29 y el ciclo de roscado
+    .help = Dé S en el bloque de M29 y mueva los ejes antes.
 
 FC-0512 = Se cambia de plano en el roscado rígido
     .help = Termine antes el roscado rígido con G80 o M28.

@@ -485,8 +485,8 @@ FC-0452 = G29'un geçeceği bir ara nokta yok
 FC-0510 = İlerlemesi olmayan rijit kılavuz çekme
     .help = F'yi çevrimde ya da öncesinde verin.
 
-FC-0511 = M29 ile kılavuz çekme çevrimi arasında bir devir var
-    .help = S'yi M29'un bloğunda verin.
+FC-0511 = M29 ile kılavuz çekme çevrimi arasında bir devir ya da hareket var
+    .help = S'yi M29'un bloğunda verin, eksenleri ondan önce hareket ettirin.
 
 FC-0512 = Rijit kılavuz çekmede düzlem değişiyor
     .help = Önce rijit kılavuz çekmeyi G80 ya da M28 ile bitirin.
