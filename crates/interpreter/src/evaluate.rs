@@ -39,7 +39,12 @@ pub struct Arithmetic {
     pub steps: f64,
     /// The largest result of EXP.
     pub largest_power: f64,
+    /// The largest magnitude of any result.
+    pub largest_result: f64,
 }
+
+/// The largest result of Fanuc (its alarm 111, from which GSK990MC 0111 is).
+pub const LARGEST_RESULT: f64 = 1e47;
 
 /// Numbers from here on have no digits left behind those that are told apart.
 const COARSE: f64 = 1e11;
@@ -65,9 +70,6 @@ impl Arithmetic {
         }
     }
 }
-
-/// The largest magnitude that a result may have (GSK990MC alarm 0111).
-const LARGEST: f64 = 1e47;
 
 /// The stack that expressions are evaluated on; kept to spare its allocation.
 #[derive(Clone, Debug)]
@@ -178,11 +180,11 @@ impl Arithmetic {
             23 => {
                 self.binary(Binary::Modulo, Some(self.rounded(a).trunc()), Some(self.rounded(b).trunc()))?
             }
-            26 => self.binary(Binary::Divide, Some(in_range(own.unwrap_or(0.0) * a)?), r)?,
-            27 => in_range(a.hypot(b))?,
-            31 => in_range(a * self.call(Function::Sin, b)?)?,
-            32 => in_range(a * self.call(Function::Cos, b)?)?,
-            33 => in_range(a * self.call(Function::Tan, b)?)?,
+            26 => self.binary(Binary::Divide, Some(own.unwrap_or(0.0) * a), r)?,
+            27 => self.in_range(a.hypot(b))?,
+            31 => self.in_range(a * self.call(Function::Sin, b)?)?,
+            32 => self.in_range(a * self.call(Function::Cos, b)?)?,
+            33 => self.in_range(a * self.call(Function::Tan, b)?)?,
             34 => atan2(a, b, self.angles)?,
             _ => return Err(Fault::UnknownOperation),
         }))
@@ -192,6 +194,10 @@ impl Arithmetic {
     /// (GSK990MC 4.9.3, H11 to H13).
     fn whole(self, v: f64) -> Result<i64, Fault> {
         if v.abs() < 9e18 { Ok(self.rounded(v) as i64) } else { Err(Fault::ResultTooLarge) }
+    }
+
+    fn in_range(self, v: f64) -> Result<f64, Fault> {
+        if v.abs() <= self.largest_result { Ok(v) } else { Err(Fault::ResultTooLarge) }
     }
 
     /// An operator.
@@ -204,7 +210,7 @@ impl Arithmetic {
         }
         let (a, b) = (a.unwrap_or(0.0), b.unwrap_or(0.0));
         let (fine_a, fine_b) = (self.rounded(a), self.rounded(b));
-        in_range(match op {
+        self.in_range(match op {
             Binary::Add => a + b,
             Binary::Subtract => a - b,
             Binary::Multiply => a * b,
@@ -236,7 +242,7 @@ impl Arithmetic {
     /// A function of one operand.
     fn call(self, function: Function, v: f64) -> Result<f64, Fault> {
         let within = |ok: bool| if ok { Ok(()) } else { Err(Fault::FunctionDomain) };
-        in_range(match function {
+        self.in_range(match function {
             Function::Sin => sin_cos(v, self.angles).0,
             Function::Cos => sin_cos(v, self.angles).1,
             Function::Tan => {
@@ -287,10 +293,6 @@ impl Arithmetic {
             Function::Bcd => number_to_bcd(self.whole(v)?)?,
         })
     }
-}
-
-fn in_range(v: f64) -> Result<f64, Fault> {
-    if v.abs() <= LARGEST { Ok(v) } else { Err(Fault::ResultTooLarge) }
 }
 
 fn truth(condition: bool) -> f64 {
@@ -352,8 +354,12 @@ fn number_to_bcd(v: i64) -> Result<f64, Fault> {
 mod tests {
     use super::*;
 
-    const EXACT: Arithmetic =
-        Arithmetic { angles: Angles::Degrees, steps: 0.0, largest_power: f64::INFINITY };
+    const EXACT: Arithmetic = Arithmetic {
+        angles: Angles::Degrees,
+        steps: 0.0,
+        largest_power: f64::INFINITY,
+        largest_result: LARGEST_RESULT,
+    };
 
     fn value(nodes: &[Node]) -> Result<Value, Fault> {
         Evaluator::new(EXACT).value(nodes, |n| match n {

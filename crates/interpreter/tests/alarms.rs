@@ -343,9 +343,10 @@ fn what_repeats_may_do_so_where_the_parameter_lets_it() {
 #[test]
 fn m_codes_of_a_block_are_counted() {
     let one = "[parameters]\n\"NO33.7\" = 0";
-    for (program, words, setup, limit) in
-        [("M3 M8 M10 M11 S5\nM30", "M3 M8 M10 M11", "", "at most 3"), ("M8 M10\nM30", "M8 M10", one, "at most 1")]
-    {
+    for (program, words, setup, limit) in [
+        ("M3 M8 M10 M11 S5\nM30", "M3 M8 M10 M11", "", "at most 3"),
+        ("M8 M10\nM30", "M8 M10", one, "at most 1"),
+    ] {
         let (_, alarm) = run(program, setup);
         let alarm = alarm.unwrap_or_else(|| panic!("{program}: no alarm"));
         let found = (alarm.id, at_fault(program, &alarm));
@@ -450,6 +451,9 @@ const SAME_NUMBER: &[(u16, &str, &str, &str)] = &[
     (114, "G41 D1 G1 X10 F100\nX20\nG39 X30", "G39", RADIUS),
     // 0115: O and N take no variables.
     (115, "N[#120] X2", "N[#120]", ""),
+    // 0111: results of more than nine digits before the point (4.9.2, 5).
+    (111, "#1=999999999+1", "#1=999999999+1", ""),
+    (111, "G65 H4 P#1 Q-100000 R10000", "G65 H4 P#1 Q-100000 R10000", ""),
     // 0117: names and kinds of axes act from the next power-on.
     (117, "G10 L51\nN178 R5", "N178 R5", ""),
     // Note 5: what the machine is built of acts from the next power-on; as it is it may be set.

@@ -36,6 +36,10 @@ fn values_are_told_apart_by_ten_thousandths() {
         ("#3=7\n#1=0.3/0.1\n#500=#[#1]", 7.0),
         ("#1=1.1*100\nGOTO#1\n#500=1\nN110", f64::NAN),
         ("#500=1/3", 0.3333),
+        // What is put in may have fifteen digits, a result nine before the point, in between as many as it has.
+        ("#500=123456789012345", 123_456_789_012_345.0),
+        ("#500=999999998.5+1", 999_999_999.5),
+        ("#500=100000\nG65 H26 P#500 Q100000 R100000", 100_000.0),
         // Table 4-9-5-2: up to about 11.5129.
         ("#500=FIX[EXP[11.5129]]", 99_997.0),
         // An empty index is that of #0, which is empty; with another value it takes part as 0 (4.9.2, 7).

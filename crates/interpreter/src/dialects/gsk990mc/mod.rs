@@ -21,8 +21,15 @@ pub static DIALECT: Dialect = Dialect {
     name: "gsk990mc",
     extensions: &[],
     syntax: &syntax::SYNTAX,
-    // 4.9.2, 5: results are precise to 0.0001. Table 4-9-5-2: EXP to 99997.453535, which is that of 11.5129 in eleven digits.
-    arithmetic: Arithmetic { angles: Angles::Degrees, steps: 10_000.0, largest_power: 99_997.453_535_5 },
+    // 4.9.2, 5: results are precise to 0.0001 and have no more than nine digits before the point; alarm 0111 is of results that
+    // are too large, the bounds in its text are Fanuc's. Table 4-9-5-2: EXP to 99997.453535, which is that of 11.5129 in
+    // eleven digits.
+    arithmetic: Arithmetic {
+        angles: Angles::Degrees,
+        steps: 10_000.0,
+        largest_power: 99_997.453_535_5,
+        largest_result: 999_999_999.999_9,
+    },
     g_codes: &codes::G_CODES,
     m_codes: &codes::M_CODES,
     other_m_codes: &[],
