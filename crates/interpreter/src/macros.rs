@@ -87,6 +87,12 @@ impl Interpreter {
         }
     }
 
+    /// Whether the program has the parameter with a name in inches: lengths and feeds are in its unit, as positions are, so that
+    /// they can stand in its words. The manual (Weihong 5) says nothing of it.
+    fn parameter_is_inch(&self, place: u16) -> bool {
+        self.modal.is_inch() && self.memory.parameters.table().is_named_in_mm(place)
+    }
+
     fn axis_number(&self, index: u8) -> Result<Axis, Fault> {
         self.rules.axis_order.get(usize::from(index)).copied().ok_or(Fault::UnknownVariable)
     }
@@ -138,7 +144,9 @@ impl Interpreter {
             }),
             Variable::Inputs => self.ports_as_bits(false),
             Variable::Outputs => self.ports_as_bits(true),
-            Variable::Parameter(place) => self.memory.parameters.named_at(place),
+            Variable::Parameter(place) => {
+                units::from_mm(self.memory.parameters.named_at(place), self.parameter_is_inch(place))
+            }
             Variable::UserTable => self.memory.variables.get(number).unwrap_or(0.0),
             // What was put out last.
             Variable::Output(n) => return Ok(self.outputs.get(&n).copied()),
@@ -219,7 +227,8 @@ impl Interpreter {
         }
         if let Variable::Parameter(place) = variable {
             let key = self.memory.parameters.table().named_key(place).ok_or(Fault::UnknownVariable)?;
-            self.memory.set_parameter(key, value.unwrap_or(0.0)).map_err(|_| Fault::DataParameter)?;
+            let value = units::length_mm(value.unwrap_or(0.0), self.parameter_is_inch(place));
+            self.memory.set_parameter(key, value).map_err(|_| Fault::DataParameter)?;
             self.rules = (self.dialect.rules)(&self.memory.parameters);
             self.output.set_rules(self.rules.cutter);
             return Ok(());

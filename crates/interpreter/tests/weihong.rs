@@ -450,6 +450,18 @@ fn parameters_are_read_and_written_by_name() {
             "[parameters]\nSAFEHEIGHT = 6.0",
             &["rapid Z12", "end M30"],
         ),
+        // Lengths and feeds are in the unit of the program, other things not.
+        (
+            "G20\nG01 X=#SAFEHEIGHT Y=#FIXEDCYCLE_OSS F=#BKREF_F1.X\n#SAFEHEIGHT=2\nG21\nX=#SAFEHEIGHT\nM30",
+            "[parameters]\nSAFEHEIGHT = 12.7\nFIXEDCYCLE_OSS = 1\n\"BKREF_F1.X\" = 500",
+            &["feed X12.7 Y25.4 F500", "feed X50.8 F500", "end M30"],
+        ),
+        // A cycle of the shop with a draw-back from the list (5, example 2).
+        (
+            "G20 G77 Z0\nM30\nO677\nZ=#FC3\nG91 Z=#FIXEDCYCLE_BACK\nM17",
+            "[parameters]\nFIXEDCYCLE_BACK = 5.4\n[start]\nz = 25.4",
+            &["rapid Z0", "rapid Z5.4", "end M30"],
+        ),
         // What a parameter sets is in force from there on.
         (
             "#FIXEDCYCLE_BACK=3\nG99 G83 R0 Z-6 Q4 F9\nM30",

@@ -334,6 +334,12 @@ impl ParameterTable {
         self.definitions.get(*self.named.get(usize::from(place))?).map(|definition| &definition.key)
     }
 
+    /// Whether the parameter at a place among those with names is a length, or a feed, in mm.
+    pub fn is_named_in_mm(&self, place: u16) -> bool {
+        let definition = self.named.get(usize::from(place)).and_then(|at| self.definitions.get(*at));
+        definition.is_some_and(|definition| definition.unit.starts_with("mm"))
+    }
+
     /// Whether any name is taken, since no list says which exist.
     pub fn is_open(&self) -> bool {
         self.definitions.is_empty()
