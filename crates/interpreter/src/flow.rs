@@ -673,15 +673,22 @@ impl Interpreter {
             return Err(self.alarm(fault, span));
         }
         let found = self.programs.find_program(program).map_err(|error| self.unreadable(error, span))?;
-        let Some(start) = found else {
-            let mut alarm = self.alarm(Fault::ProgramMissing, span);
-            let name = match program {
-                ProgramId::Number(n) => format!("O{n:04}"),
-                ProgramId::Name(name) => name.to_string(),
-            };
-            alarm.arguments.push(("program", name.into()));
-            return Err(alarm);
+        let name = || match program {
+            ProgramId::Number(n) => format!("O{n:04}"),
+            ProgramId::Name(name) => name.to_string(),
         };
+        let Some(start) = found else {
+            return Err(Box::new(self.alarm(Fault::ProgramMissing, span).with("program", name())));
+        };
+        // No manual says which of them is called, and Fanuc takes no second one into its memory.
+        while self.tells()
+            && let Some(other) = self.programs.take_repeated(start, program)
+            && let Ok(Some(page)) = self.programs.page(other.file, other.page)
+            && let Some(block) = page.blocks.get(other.block as usize)
+        {
+            let alarm = Alarm::core(Fault::ProgramRepeated, page.block_span(block));
+            self.tell(alarm.with("program", name()));
+        }
         let locals = arguments.map(|arguments| self.enter_locals(arguments));
         let (back, number) = (self.flow.place, self.technology.program);
         let repeats = times - 1;

@@ -880,6 +880,23 @@ fn a_check_tells_of_codes_that_have_no_effect() {
     assert_eq!(told(false), []);
 }
 
+/// Of two subprograms with one number a call runs the first, and says so once.
+#[test]
+fn a_check_tells_of_a_second_program_of_a_number() {
+    let program = "G65 P7 L2\nG65 P7\nM30\nO7\nG91 X1\nM17\nO8\nM17\nO7\nX9\nM17\nO8\nM17";
+    let options = Options { keep_going: true, ..Options::default() };
+    let interpreter = interpreter_of(&DIALECT, program.as_bytes(), "", options).unwrap();
+    let told: Vec<_> = interpreter.filter_map(Result::err).collect();
+    let found: Vec<_> = told
+        .iter()
+        .map(|alarm| (alarm.severity, alarm.fault, alarm.span.line, at_fault(program, alarm)))
+        .collect();
+    assert_eq!(found, [(Severity::Warning, Fault::ProgramRepeated, 9, "O7")]);
+    let text = Catalogue::new(Language::En).message(&told[0]);
+    assert!(text.contains("O0007"), "{text}");
+    hold(&[(program, "", &["rapid X1", "rapid X2", "rapid X3", "end M30"])]);
+}
+
 #[test]
 fn words_belong_to_the_code_that_takes_them() {
     let tools = "[tools.1]\nlength = 1\n[tools.2]\nlength = 2";

@@ -480,6 +480,8 @@ faults! {
     FilesNotWritten = 621,
     /// A tool change that no program does in this language, and no ladder by itself.
     NobodyChangesTool = 622,
+    /// Two programs of a file have one number or name.
+    ProgramRepeated = 623,
 
     // 700: variables and arithmetic
     /// A division by zero.

@@ -42,7 +42,7 @@
 //! | `CycleDepthAboveR` | `depth`, `r`: Z levels |
 //! | `CycleNoPeck` | `word`: the missing address |
 //! | `ReferenceInCycle` | `word` |
-//! | `ProgramMissing`, `ProgramNumber` | `program` |
+//! | `ProgramMissing`, `ProgramNumber`, `ProgramRepeated` | `program` |
 //! | `TooManyRepeats` | `repeats`, `limit` |
 //! | `SequenceMissing`, `JumpTargetMissing` | `number` |
 //! | `FunctionDomain` | `name`, `value` |

@@ -150,6 +150,8 @@ pub struct ProgramMemory {
     folder_index: Option<HashMap<ProgramId, PathBuf>>,
     /// Where else programs are found.
     source: Option<Arc<Mutex<Box<dyn Source>>>>,
+    /// Programs with the number or name of one before them in their file, which nothing calls.
+    repeated: Vec<(ProgramId, Place)>,
 }
 
 impl ProgramMemory {
@@ -166,6 +168,7 @@ impl ProgramMemory {
             folder: None,
             folder_index: None,
             source: None,
+            repeated: Vec::new(),
         };
         memory.add(name, text);
         memory
@@ -474,6 +477,13 @@ impl ProgramMemory {
         }
     }
 
+    /// A further program with the number or name of a program that was found, in the same file; each is given out once.
+    pub fn take_repeated(&mut self, found: Place, id: &ProgramId) -> Option<Place> {
+        let is_it = |(of, at): &(ProgramId, Place)| of == id && at.file == found.file;
+        let at = self.repeated.iter().position(is_it)?;
+        Some(self.repeated.swap_remove(at).1)
+    }
+
     /// Numbers within a range that programs have: in the main file, in the files added, and among the small
     /// part programs of the main file's folder.
     pub fn numbers_within(&mut self, range: Range<u32>) -> io::Result<Vec<u32>> {
@@ -576,8 +586,12 @@ impl ProgramMemory {
                     Heading::Name(span) => ProgramId::named(&self.slice(span)),
                 };
                 let place = Place { file: id, page: number, block: at };
-                if programs.len() < MAX_PROGRAMS {
-                    programs.entry(program).or_insert(place);
+                if programs.contains_key(&program) {
+                    if self.repeated.len() < MAX_PROGRAMS {
+                        self.repeated.push((program, place));
+                    }
+                } else if programs.len() < MAX_PROGRAMS {
+                    programs.insert(program, place);
                 }
             }
             number += 1;

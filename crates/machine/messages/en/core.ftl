@@ -782,6 +782,9 @@ FC-0574 = The depths of the thread do not fit each other
     .help = I is not 0, J is more than 0, and K is more than J.
 FC-0622 = Nothing changes the tool at M6 in this language
     .help = Where the ladder itself changes the tool, or you change it by hand, set program = 0 in [tool_change] of the machine file. The tool in the spindle is still the old one.
+FC-0623 = Two programs of the file have one number or name
+    .detail = { $program }
+    .help = Give each program a number of its own: a call runs the first of them.
 
 # The running control.
 

@@ -782,6 +782,9 @@ FC-0574 = Las profundidades de la rosca no concuerdan entre sí
     .help = I no es 0, J es mayor que 0 y K es mayor que J.
 FC-0622 = Con este lenguaje nadie cambia la herramienta en M6
     .help = Si el propio programa de contactos cambia la herramienta, o se cambia a mano, ponga program = 0 en [tool_change] del archivo de la máquina. En el husillo sigue la herramienta anterior.
+FC-0623 = Dos programas del archivo tienen el mismo número o nombre
+    .detail = { $program }
+    .help = Dé a cada programa un número propio: una llamada ejecuta el primero de ellos.
 
 # The running control.
 

@@ -782,6 +782,9 @@ FC-0574 = Dişin derinlikleri birbirine uymuyor
     .help = I 0 olmamalı, J 0'dan, K da J'den büyük olmalıdır.
 FC-0622 = Bu dilde M6'da takımı değiştiren yok
     .help = Takımı merdiven programının kendisi ya da siz elle değiştiriyorsanız makine dosyasındaki [tool_change] bölümünde program = 0 yapın. İş milinde hâlâ eski takım var.
+FC-0623 = Dosyadaki iki programın numarası ya da adı aynı
+    .detail = { $program }
+    .help = Her programa ayrı bir numara verin: çağrı bunlardan ilkini çalıştırır.
 
 # The running control.
 
