@@ -351,6 +351,10 @@ impl Interpreter {
         *zero = distance::end_point(&self.words, axes, *zero, false, inch);
         self.variable_writes += 1;
         self.work_zero_changed();
+        self.tell_unused(*b"IJKLQR");
+        if axes.is_empty() {
+            self.tell_unused(*b"P");
+        }
         Ok(())
     }
 
@@ -358,7 +362,11 @@ impl Interpreter {
     /// X and Y have nothing to act on: G43 and G44 know Z alone.
     pub(crate) fn set_tool_length(&mut self) -> Fallible<()> {
         let number = self.words.get(b'P').unwrap_or(f64::from(self.technology.tool));
-        let Some(z) = self.words.get(b'Z') else { return Ok(()) };
+        self.tell_unused(*b"XYABCIJKLQR");
+        let Some(z) = self.words.get(b'Z') else {
+            self.tell_unused(*b"P");
+            return Ok(());
+        };
         let length = units::length_mm(z, self.modal.is_inch());
         if length.abs() > self.rules.max_offset {
             return Err(self.alarm_at(Fault::OffsetTooLarge, b'Z'));

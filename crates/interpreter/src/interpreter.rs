@@ -37,6 +37,7 @@ use ferrocut_geometry::{Axis, AxisNames, Position};
 use ferrocut_machine::{Alarm, Fault, Machine, Memory, Severity, WorkOffset};
 use ferrocut_program::{FileId, ProgramId, ProgramMemory, Span, lexer};
 use ferrocut_toolpath::{Speed, SpindleState, Step};
+use smallvec::SmallVec;
 use std::collections::{BTreeMap, VecDeque};
 use std::sync::{Arc, LazyLock};
 
@@ -615,6 +616,16 @@ impl Interpreter {
     pub(crate) fn tell(&mut self, alarm: Alarm) {
         if self.tells() {
             self.note(Box::new(alarm.as_warning()));
+        }
+    }
+
+    /// Tells of the words with these addresses: the code that they stand beside uses none of them. Beside an M code P and L may
+    /// be its own.
+    pub(crate) fn tell_unused(&mut self, letters: impl IntoIterator<Item = u8>) {
+        let of_m = |letter| matches!(letter, b'L' | b'P') && !self.words.m.is_empty();
+        let unused = letters.into_iter().filter(|letter| self.words.has(*letter) && !of_m(*letter));
+        for letter in unused.collect::<SmallVec<[u8; 4]>>() {
+            self.tell(*self.alarm_at(Fault::WordUnused, letter));
         }
     }
 

@@ -5,7 +5,7 @@ use crate::dialect::{GCode, MFunction, Meaning};
 use crate::interpreter::Interpreter;
 use crate::words::Code;
 use ferrocut_geometry::AxisSet;
-use ferrocut_machine::Fault;
+use ferrocut_machine::{Alarm, Fault};
 use ferrocut_toolpath::{Dwell, Op};
 
 impl Interpreter {
@@ -108,7 +108,17 @@ impl Interpreter {
             true => (seconds, 1.0),
             false => (b'P', self.rules.dwell_p_unit_s),
         };
-        let Some(value) = self.words.get(letter) else { return Ok(()) };
+        if !self.leaves_point_to_block(Meaning::Dwell) {
+            self.tell_unused((*b"XYZABCIJKLPQR").into_iter().filter(|other| *other != letter));
+        }
+        let Some(value) = self.words.get(letter) else {
+            // S is the speed of the spindle and no number of turns to wait for.
+            if self.words.has(b'S') {
+                let alarm = Alarm::core(Fault::WordMissing, self.words.block_span());
+                self.tell(alarm.with("word", char::from(letter).to_string()));
+            }
+            return Ok(());
+        };
         for letter in [letter, seconds, b'P'] {
             if self.words.get(letter).is_some_and(|value| value < 0.0) {
                 return Err(self.alarm_at(Fault::NegativeDwell, letter));

@@ -13,6 +13,17 @@ use ferrocut_toolpath::{Op, PathMode};
 /// Program, set-up, the steps that it makes.
 type Case = (&'static str, &'static str, &'static [&'static str]);
 
+/// Line, fault, words.
+type Told = (u32, Fault, &'static str);
+
+/// What a check tells: line, fault, words.
+fn told(program: &str, setup: &str) -> Vec<(u32, Fault, String)> {
+    let options = Options { keep_going: true, ..Options::default() };
+    let interpreter = interpreter_of(&DIALECT, program.as_bytes(), setup, options).unwrap();
+    let alarms = interpreter.filter_map(Result::err);
+    alarms.map(|alarm| (alarm.span.line, alarm.fault, at_fault(program, &alarm).to_owned())).collect()
+}
+
 fn hold(cases: &[Case]) {
     for (program, setup, expected) in cases {
         let mut found = lines_on(&DIALECT, program, setup);
@@ -895,6 +906,29 @@ fn a_check_tells_of_a_second_program_of_a_number() {
     let text = Catalogue::new(Language::En).message(&told[0]);
     assert!(text.contains("O0007"), "{text}");
     hold(&[(program, "", &["rapid X1", "rapid X2", "rapid X3", "end M30"])]);
+}
+
+/// 4.3: words that a code does not have. What the manual gives G923 beside Z acts on nothing: G43 and G44 are along Z.
+#[test]
+fn a_check_tells_of_words_without_effect() {
+    let tool = "[tools.1]\nlength = 1";
+    let cases: [(&str, &[Told]); 7] = [
+        (
+            "G81 R1 Z0 F9 K0\nG34 X10 I5 K2 Z3 P4\nG36 X10 I5 K2 P4 R3\nM30",
+            &[(2, Fault::WordUnused, "Z3"), (2, Fault::WordUnused, "P4"), (3, Fault::WordUnused, "R3")],
+        ),
+        ("G923 X1 Y2 Z3 P1\nM30", &[(1, Fault::WordUnused, "X1"), (1, Fault::WordUnused, "Y2")]),
+        ("G923 P1\nM30", &[(1, Fault::WordUnused, "P1")]),
+        ("G922 P1\nG922 X1 P1\nM30", &[(1, Fault::WordUnused, "P1")]),
+        ("G4 S5\nG4 P5 S5\nM30", &[(1, Fault::WordMissing, "G4 S5")]),
+        ("G4 P5 X1 Y2\nG4 X1\nM30", &[(1, Fault::WordUnused, "X1"), (1, Fault::WordUnused, "Y2")]),
+        ("G81 R1 Z0 F9 K0\nG35 X10 I5 K2 M901 H2 P1\nM30", &[]),
+    ];
+    for (program, expected) in cases {
+        let expected: Vec<_> =
+            expected.iter().map(|(line, fault, words)| (*line, *fault, (*words).to_owned())).collect();
+        assert_eq!(told(program, tool), expected, "{program}");
+    }
 }
 
 #[test]

@@ -108,6 +108,9 @@ impl Interpreter {
                 (Figure::Grid { step, columns: columns as u32 }, columns * rows)
             }
         };
+        // The data of its cycle stay as they are.
+        let has_p = matches!(pattern, Pattern::Arc | Pattern::Grid);
+        self.tell_unused((*b"ABCZLPQR").into_iter().filter(|letter| *letter != b'P' || !has_p));
         let holes = holes.abs() as u32;
         self.cycle.pattern = Some(Places { figure, at: [at[Axis::X], at[Axis::Y]], holes });
         self.cycle.line = None;
