@@ -931,6 +931,15 @@ fn a_check_tells_of_words_without_effect() {
     }
 }
 
+/// 5 has no word of the macro language but IF: each of the others is told once, as a word.
+#[test]
+fn a_check_tells_of_macro_words_as_words() {
+    let program = "IF(#1==0)GOTO 10\nN10 while[#1 LT 5]DO1\n#1=#1+1\nEND1\nM30";
+    let found = told(program, "");
+    let expected = [(1, "GOTO"), (2, "while"), (4, "END")];
+    assert_eq!(found, expected.map(|(line, word)| (line, Fault::MalformedStatement, word.to_owned())));
+}
+
 #[test]
 fn words_belong_to_the_code_that_takes_them() {
     let tools = "[tools.1]\nlength = 1\n[tools.2]\nlength = 2";

@@ -37,6 +37,9 @@ pub const MAX_LINE: usize = (1 << 16) - 2;
 /// Letters of a name that are looked at; names of keywords and functions are shorter.
 const LONGEST_NAME: usize = 16;
 
+/// Words of Fanuc's custom macro, which programs bring along to controls that lack them.
+const MACRO_WORDS: [&[u8]; 6] = [b"THEN", b"ELSE", b"GOTO", b"WHILE", b"DO", b"END"];
+
 /// Bytes of an over-long line that its defect underlines.
 const UNDERLINED: usize = 80;
 
@@ -462,6 +465,11 @@ impl Lexer<'_> {
             Some(_) => *statement = self.statement(block, first_word),
             None => match self.long_address(name) {
                 Some((letter, len)) => self.long_word(block, letter, len, first_word),
+                None if MACRO_WORDS.iter().any(|word| word.eq_ignore_ascii_case(name)) => {
+                    let flaw = Flaw(DefectKind::MalformedStatement, self.at, name.len());
+                    self.flaw(block, flaw);
+                    self.skip_rest_of_block();
+                }
                 None => self.word(block, first_word, false),
             },
         }
