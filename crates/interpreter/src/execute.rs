@@ -569,6 +569,14 @@ impl Interpreter {
             Some(row) => self.modal.set(row),
             None => {}
         }
+        // It makes no hole there, and beside a code that acts alone its words are lost (GSK990MC 4.1 notes 1 and 6). Cycles of
+        // words in a zone of influence are refused.
+        if let Some(Code { row: GCode { meaning: Meaning::Cycle(kind), .. }, span }) = cycle
+            && !matches!(kind, CycleKind::Own | CycleKind::Words(_))
+            && (codes.non_modal.is_some() || motion && !beside_motion)
+        {
+            self.tell(Alarm::core(Fault::NeedsOwnBlock, span));
+        }
         self.length_code(length, codes)?;
         // Centres of transformations are coordinates too; the words of a call are its arguments.
         if let Some(rotary) = self.rules.motion.rotary_y

@@ -931,6 +931,20 @@ fn a_check_tells_of_words_without_effect() {
     }
 }
 
+/// A cycle makes no hole beside a motion code, which ends it (4.3), nor beside a code that acts alone.
+#[test]
+fn a_check_tells_of_cycles_that_make_no_hole() {
+    let program = "G00 G81 X1 R1 Z0 F9\nG4 P5 G82 X2 R1 Z0\nG00 G80 X3\nG99 G81 X4 R1 Z0\nM30";
+    let expected = [
+        (1, Fault::NeedsOwnBlock, "G81"),
+        (2, Fault::NeedsOwnBlock, "G82"),
+        (2, Fault::WordUnused, "X2"),
+        (2, Fault::WordUnused, "Z0"),
+        (2, Fault::WordUnused, "R1"),
+    ];
+    assert_eq!(told(program, ""), expected.map(|(line, fault, word)| (line, fault, word.to_owned())));
+}
+
 /// 5 has no word of the macro language but IF: each of the others is told once, as a word.
 #[test]
 fn a_check_tells_of_macro_words_as_words() {
