@@ -256,14 +256,17 @@ impl Interpreter {
         Ok(())
     }
 
-    /// Whether another code of the block than `by` has P for its own: a call, a dwell, a cycle, G30, G51, G96.
+    /// Whether another code of the block than `by` has P for its own: a call, a dwell, a cycle, G30, G51, G96, and what only
+    /// Weihong has (4.3).
     pub(crate) fn p_is_taken(&self, by: Meaning) -> bool {
         let takes = |meaning| {
-            use Meaning::{Cycle, Dwell, FurtherReferenceReturn, ScalingOn, SurfaceSpeed};
+            use Meaning::{Call, Cycle, Dwell, FurtherReferenceReturn, Pattern, ScalingOn};
+            use Meaning::{SetToolLength, SetWorkZero, SurfaceSpeed, WaitForInput};
             meaning != by
                 && match meaning {
                     Cycle(kind) => kind.takes_p(),
                     Dwell | FurtherReferenceReturn | ScalingOn | SurfaceSpeed => true,
+                    Call | Pattern(_) | SetToolLength | SetWorkZero | WaitForInput => true,
                     _ => false,
                 }
         };

@@ -3,7 +3,7 @@
 use crate::Fallible;
 use crate::barrier::Present;
 use crate::custom::{Custom, Suspended};
-use crate::interpreter::Interpreter;
+use crate::interpreter::{Fingerprint, Interpreter};
 use crate::search::Mark;
 use ferrocut_machine::{Alarm, Fault};
 use ferrocut_program::{
@@ -87,6 +87,10 @@ pub(crate) struct Flow {
     passes: u64,
     /// A further pass of the main program comes to its end, or is looked through for it.
     ends_later: bool,
+    /// It is only looked whether M99 P leads on.
+    looks_ahead: bool,
+    /// What M99 P of a block was come to with, where it leads further up.
+    rounds: FxHashMap<Place, Fingerprint>,
     jumps_back: u64,
     /// How many there had been at the first fault behind which the program is looked through further.
     jumps_at_fault: Option<u64>,
@@ -139,6 +143,8 @@ impl Flow {
             mark: None,
             passes: 0,
             ends_later: false,
+            looks_ahead: false,
+            rounds: FxHashMap::default(),
             jumps_back: 0,
             jumps_at_fault: None,
             targets: FxHashMap::default(),
@@ -209,6 +215,11 @@ impl Flow {
     #[inline]
     pub(crate) fn mark(&self) -> Option<&Mark> {
         self.mark.as_ref()
+    }
+
+    /// Whether it is only looked whether M99 P leads on.
+    pub(crate) fn looks_ahead(&self) -> bool {
+        self.looks_ahead
     }
 
     pub(crate) fn set_mark(&mut self, mark: Option<Mark>) {
@@ -721,14 +732,14 @@ impl Interpreter {
         true
     }
 
-    /// M99 in the main program: its start again (GSK990MC 3.2.3), or another block of it. True where the program ends instead:
-    /// at a desk, unless a further pass leads to an end of its own.
-    pub(crate) fn start_again(&mut self, at: Place, span: Span) -> Fallible<bool> {
+    /// M99 in the main program: its start again (GSK990MC 3.2.3). True where the program ends instead: at a desk, unless
+    /// a further pass leads to an end of its own.
+    pub(crate) fn start_again(&mut self, span: Span) -> Fallible<bool> {
         self.flow.passes += 1;
         if !self.options.loops_forever {
             // A block that is searched may be run in any pass whose state is another than those before.
             if !self.flow.ends_later && self.flow.mark().is_none() {
-                if !self.ends_later(at, span) {
+                if !self.ends_later(span) {
                     return Ok(true);
                 }
                 self.flow.ends_later = true;
@@ -743,18 +754,48 @@ impl Interpreter {
             }
             self.pass_state = Some(state);
         }
-        self.flow.jump(at);
-        self.flow.entered = at != Place::default();
+        self.flow.jump(Place::default());
+        self.flow.entered = false;
         Ok(false)
     }
 
-    /// Whether one of the passes that follow, which begin at a block, comes to M02 or M30.
-    fn ends_later(&self, at: Place, span: Span) -> bool {
+    /// M99 P in the main program, which led from a block to one further up, as GOTO does. True where it would do so for ever:
+    /// at a desk, where a pass is like the one before, or none of those that follow leads on or is at fault.
+    pub(crate) fn goes_round(&mut self, from: Place) -> bool {
+        if self.options.loops_forever {
+            return false;
+        }
+        let state = self.fingerprint();
+        match self.flow.rounds.insert(from, state.clone()) {
+            Some(before) => before == state,
+            None => !self.flow.ends_later && self.flow.mark().is_none() && !self.leads_on(),
+        }
+    }
+
+    /// Whether the program comes to another end than that of M99 P which goes round, or to a fault.
+    fn leads_on(&self) -> bool {
+        let mut ahead = self.clone();
+        (ahead.flow.ends_later, ahead.flow.looks_ahead) = (true, true);
+        (ahead.options.keep_going, ahead.options.warns) = (false, false);
+        ahead.alarms.clear();
+        let mut blocks = MAX_LOOKED_THROUGH;
+        while let Some(step) = ahead.next_within(&mut blocks) {
+            match step {
+                Ok(Step { op: Op::End(code), .. }) => return code != 99,
+                Ok(_) => {}
+                Err(_) => return true,
+            }
+        }
+        false
+    }
+
+    /// Whether one of the passes that follow comes to M02 or M30.
+    fn ends_later(&self, span: Span) -> bool {
         let mut ahead = self.clone();
         ahead.flow.ends_later = true;
         (ahead.options.keep_going, ahead.options.warns) = (false, false);
         ahead.alarms.clear();
-        if !matches!(ahead.start_again(at, span), Ok(false)) {
+        if !matches!(ahead.start_again(span), Ok(false)) {
             return false;
         }
         let mut blocks = MAX_LOOKED_THROUGH;

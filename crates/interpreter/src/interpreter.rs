@@ -227,7 +227,7 @@ pub(crate) struct Technology {
 }
 
 /// What makes two passes of a program alike.
-#[derive(Clone, PartialEq)]
+#[derive(Clone, PartialEq, Debug)]
 pub(crate) struct Fingerprint {
     modal: Modal,
     location: Location,

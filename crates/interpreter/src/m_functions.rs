@@ -9,7 +9,7 @@ use crate::interpreter::Interpreter;
 use crate::words::Code;
 use ferrocut_geometry::Axis;
 use ferrocut_machine::Fault;
-use ferrocut_program::{Place, ProgramId, Span};
+use ferrocut_program::{ProgramId, Span};
 use ferrocut_toolpath::{Op, SpindleState};
 
 impl Interpreter {
@@ -116,28 +116,45 @@ impl Interpreter {
         Ok(())
     }
 
+    /// Whether P is the block that M99 of the block names: no other code has it, nor a cycle that makes a hole here.
+    pub(crate) fn p_is_of_return(&self) -> bool {
+        let returns = self.words.m.iter().any(|m| m.row.function == MFunction::Return);
+        let has_hole = || {
+            let has_place = !self.words.axes(self.rules.axes).is_empty() || self.cycle_code().is_some();
+            self.cycle_kind().is_some() && has_place
+        };
+        let is_own = || self.words.g.iter().any(|code| self.custom_g(code.row).is_some());
+        returns && !has_hole() && !is_own() && !self.p_is_taken(Meaning::NoEffect)
+    }
+
     /// M99. P is the number of the block where the caller goes on, in the main program that of the next block, as on Fanuc:
     /// manuals have M99 alone (Weihong 4.2, GSK990MC 5.2.5, Kaitong appendix 10), Weihong's 3.1 P as a sequence number too.
     fn program_return(&mut self, code: &MCode, span: Span) -> Fallible<()> {
-        let to = self.words.get(b'P').map(|number| (number, self.words.span(b'P')));
+        let number = self.words.get(b'P').filter(|_| self.p_is_of_return());
+        let mut to = number.map(|number| (number, self.words.span(b'P')));
         let depth = self.flow.depth_of_calls();
         let is_main = !self.go_back();
-        if is_main && self.options.return_ends {
+        if is_main && (self.options.return_ends || to.is_none() && self.flow.looks_ahead()) {
             return self.end_program(30);
         }
         let (from, is_done) = (self.flow.executing(), self.flow.depth_of_calls() < depth);
-        if let Some((number, at)) = to.filter(|_| is_main || is_done) {
-            self.go_to(number, Fault::SequenceMissing, at)?;
+        if let Some((number, at)) = to.filter(|_| is_main || is_done)
+            && let Err(alarm) = self.go_to(number, Fault::SequenceMissing, at)
+        {
+            if !self.options.keep_going {
+                return Err(alarm);
+            }
+            // The program has returned already; what else the block does it did.
+            self.note(alarm);
+            to = None;
         }
-        let again = match to {
-            Some(_) => self.flow.next_place(),
-            None => Place::default(),
+        let ends = match to {
+            _ if !is_main => false,
+            // Further down it is no other pass of the program.
+            Some(_) => self.flow.next_place() <= from && self.goes_round(from),
+            None => self.start_again(span)?,
         };
-        // Further down it is no other pass of the program.
-        if is_main && again <= from && self.start_again(again, span)? {
-            return self.end_program(code.code);
-        }
-        Ok(())
+        if ends { self.end_program(code.code) } else { Ok(()) }
     }
 
     /// Spindle and coolant stop with the program (GSK990MC 5.2.1). A ladder that gets every code ends them by M02 and

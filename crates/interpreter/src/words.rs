@@ -299,9 +299,9 @@ impl Words {
         }
     }
 
-    /// Whether the block calls a subprogram, or returns from one, which P and L belong to then.
+    /// Whether the block calls a subprogram, which P and L belong to then.
     pub(crate) fn calls(&self) -> bool {
-        self.m.iter().any(|m| matches!(m.row.function, MFunction::Call | MFunction::Return))
+        self.m.iter().any(|m| m.row.function == MFunction::Call)
     }
 
     /// Whether a code of the block takes the place of the motion in force. G11 only ends G10 (GSK990MC 4.1 note 3).

@@ -339,6 +339,33 @@ fn what_repeats_may_do_so_where_the_parameter_lets_it() {
     }
 }
 
+/// P and L beside M99 are of the other code of their block.
+#[test]
+fn a_return_takes_no_word_of_another_code() {
+    let more = "[work_offsets]\n\"G54 P1\" = { x = 1 }";
+    let mills = "[tools.1]\nradius = 5\n[parameters]\n\"NO40.7\" = 0\n[start]\nz = 50";
+    for (block, setup, step) in [
+        ("G54 P1 G0 X2 M99", more, "rapid X3"),
+        ("G4 P500 M99", "", "dwell 0.5s"),
+        ("G51 X0 Y0 P2 M99", SCALING, ""),
+        ("G0 X1 M99", "", "rapid X1"),
+    ] {
+        let found = lines(&format!("M98 P7\nM30\nO7\n{block}\n"), setup);
+        let expected: Vec<_> = [step, "end M30"].into_iter().filter(|line| !line.is_empty()).collect();
+        assert_eq!(found, expected, "{block}");
+    }
+    let high = "[start]\nz = 50";
+    let cycles = [
+        ("G22 X5 Z-10 R5 I50 L4 W2 Q2 V1 D1 F100 M99", mills),
+        ("G82 X5 Z-10 R5 F100 P2000 M99", high),
+        ("G82 X1 Z-10 R5 F100\nX5 P2000 M99", high),
+    ];
+    for (block, setup) in cycles {
+        let (_, alarm) = run(&format!("S100 M3\nM98 P7\nM30\nO7\n{block}\n"), setup);
+        assert_eq!(alarm, None, "{block}");
+    }
+}
+
 /// 5: one M code in a block, with 33#7 three; the list of alarms has no number for more, 0119 is of codes that stand alone.
 #[test]
 fn m_codes_of_a_block_are_counted() {

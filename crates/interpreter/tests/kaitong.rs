@@ -521,9 +521,36 @@ fn a_return_names_a_block() {
             "",
             &["rapid X1", "rapid X2", "rapid X3", "end M30"],
         ),
+        // So does one that leads to M99 alone.
+        (
+            "#1=0\nN2 #1=#1+1\nX#1\nIF[#1EQ3]GOTO9\nM99 P2\nN9 Y1\nM99",
+            "",
+            &["rapid X1", "rapid X2", "rapid X3", "rapid Y1", "end M99"],
+        ),
+        // Else it is one pass, whether each is like the one before or not.
         ("X1\nN2 Y1\nY2\nM99 P2", "", &["rapid X1", "rapid Y1", "rapid Y2", "end M99"]),
+        ("N1 G91 X1\nM99 P1", "", &["rapid X1", "end M99"]),
+        ("N1 #1=#1+1\nX1\nM99 P1", "", &["rapid X1", "end M99"]),
     ];
     hold(cases);
     let (_, alarm) = run_on(&DIALECT, "X1\nM99 P7", "");
     assert_eq!(alarm.map(|alarm| alarm.fault), Some(Fault::SequenceMissing));
+    // A check looks further: at what such a jump leads to, and behind the call of one that leads nowhere.
+    let told = |program: &str| {
+        let options = Options { keep_going: true, ..Options::default() };
+        let interpreter = interpreter_of(&DIALECT, program.as_bytes(), "", options).unwrap();
+        let alarms = interpreter.filter_map(Result::err);
+        alarms.map(|alarm| (alarm.span.line, alarm.fault)).collect::<Vec<_>>()
+    };
+    let passes = "O1\n#1=0\nN2 #1=#1+1\nG91 G0 X1\nIF[#1 GE 3] GOTO 9\nM99 P2\nN9 G90 G0 X5\nG777\nM99";
+    assert_eq!(told(passes), [(8, Fault::UnknownGCode)]);
+    assert_eq!(told(&passes.replace("M99 P2", "GOTO 2")), [(8, Fault::UnknownGCode)]);
+    assert_eq!(told("X1\nM99 P7"), [(2, Fault::SequenceMissing)]);
+    let nowhere = "M98 P7\nG777\nM30\nO7\nX1\nM99 P5";
+    assert_eq!(told(nowhere), [(6, Fault::SequenceMissing), (2, Fault::UnknownGCode)]);
+    // Where another code of the block has P, or the cycle in force, it is no block.
+    for block in ["G4 P500 M99", "G30 P2 Z0 M99", "G82 X5 R0 Z-1 F50 P2000 M99"] {
+        assert_eq!(told(&format!("M98 P7\nM30\nO7\n{block}")), [], "{block}");
+    }
+    assert_eq!(told("G82 X1 R0 Z-1 F50\nM98 P7\nM30\nO7\nX5 P2000 M99"), []);
 }

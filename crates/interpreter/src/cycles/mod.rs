@@ -470,7 +470,7 @@ impl Interpreter {
             self.cycle.v = Some(mm(v).abs());
         }
         // P of a call is the number of a program.
-        if let Some(p) = self.words.get(b'P').filter(|_| !self.words.calls()) {
+        if let Some(p) = self.words.get(b'P').filter(|_| !self.words.calls() && !self.p_is_of_return()) {
             // P outside P281…P282 is taken as the nearer of them (GSK990MC 4.4.3).
             let (shortest, longest) = self.rules.cycles.dwell;
             if shortest >= longest {
