@@ -39,7 +39,7 @@ pub struct Arithmetic {
     pub steps: f64,
     /// The largest result of EXP.
     pub largest_power: f64,
-    /// The largest magnitude of any result.
+    /// The largest magnitude of what comes of a whole expression; on the way there it may be [`LARGEST_RESULT`].
     pub largest_result: f64,
 }
 
@@ -96,7 +96,9 @@ impl Evaluator {
         mut read: impl FnMut(u32) -> Result<Value, Fault>,
     ) -> Result<Value, Fault> {
         self.stack.clear();
+        let mut is_result = false;
         for node in nodes {
+            is_result |= matches!(node, Node::Binary(_) | Node::Call(_));
             let value = match *node {
                 Node::Number(n) => Some(n),
                 Node::VariableAt(n) => read(n)?,
@@ -133,7 +135,8 @@ impl Evaluator {
             }
             self.stack.push(value);
         }
-        self.pop()
+        let value = self.pop()?;
+        if is_result { self.arithmetic.result(value) } else { Ok(value) }
     }
 
     fn pop(&mut self) -> Result<Value, Fault> {
@@ -165,7 +168,7 @@ impl Arithmetic {
     /// The operations H01 to H34 of macro A (GSK990MC 4.9.4): the new value of a variable that holds `own`.
     pub fn macro_a(self, operation: i64, own: Value, q: Value, r: Value) -> Result<Value, Fault> {
         let (a, b) = (q.unwrap_or(0.0), r.unwrap_or(0.0));
-        Ok(Some(match operation {
+        self.result(Some(match operation {
             1 => return Ok(q),
             2 => self.binary(Binary::Add, q, r)?,
             3 => self.binary(Binary::Subtract, q, r)?,
@@ -181,10 +184,10 @@ impl Arithmetic {
                 self.binary(Binary::Modulo, Some(self.rounded(a).trunc()), Some(self.rounded(b).trunc()))?
             }
             26 => self.binary(Binary::Divide, Some(own.unwrap_or(0.0) * a), r)?,
-            27 => self.in_range(a.hypot(b))?,
-            31 => self.in_range(a * self.call(Function::Sin, b)?)?,
-            32 => self.in_range(a * self.call(Function::Cos, b)?)?,
-            33 => self.in_range(a * self.call(Function::Tan, b)?)?,
+            27 => a.hypot(b),
+            31 => a * self.call(Function::Sin, b)?,
+            32 => a * self.call(Function::Cos, b)?,
+            33 => a * self.call(Function::Tan, b)?,
             34 => atan2(a, b, self.angles)?,
             _ => return Err(Fault::UnknownOperation),
         }))
@@ -196,8 +199,10 @@ impl Arithmetic {
         if v.abs() < 9e18 { Ok(self.rounded(v) as i64) } else { Err(Fault::ResultTooLarge) }
     }
 
-    fn in_range(self, v: f64) -> Result<f64, Fault> {
-        if v.abs() <= self.largest_result { Ok(v) } else { Err(Fault::ResultTooLarge) }
+    /// What comes of a whole expression or operation.
+    fn result(self, value: Value) -> Result<Value, Fault> {
+        let fits = value.is_none_or(|v| v.abs() <= self.largest_result);
+        if fits { Ok(value) } else { Err(Fault::ResultTooLarge) }
     }
 
     /// An operator.
@@ -210,7 +215,7 @@ impl Arithmetic {
         }
         let (a, b) = (a.unwrap_or(0.0), b.unwrap_or(0.0));
         let (fine_a, fine_b) = (self.rounded(a), self.rounded(b));
-        self.in_range(match op {
+        in_range(match op {
             Binary::Add => a + b,
             Binary::Subtract => a - b,
             Binary::Multiply => a * b,
@@ -242,7 +247,7 @@ impl Arithmetic {
     /// A function of one operand.
     fn call(self, function: Function, v: f64) -> Result<f64, Fault> {
         let within = |ok: bool| if ok { Ok(()) } else { Err(Fault::FunctionDomain) };
-        self.in_range(match function {
+        in_range(match function {
             Function::Sin => sin_cos(v, self.angles).0,
             Function::Cos => sin_cos(v, self.angles).1,
             Function::Tan => {
@@ -293,6 +298,10 @@ impl Arithmetic {
             Function::Bcd => number_to_bcd(self.whole(v)?)?,
         })
     }
+}
+
+fn in_range(v: f64) -> Result<f64, Fault> {
+    if v.abs() <= LARGEST_RESULT { Ok(v) } else { Err(Fault::ResultTooLarge) }
 }
 
 fn truth(condition: bool) -> f64 {

@@ -481,6 +481,8 @@ const SAME_NUMBER: &[(u16, &str, &str, &str)] = &[
     // 0111: results of more than nine digits before the point (4.9.2, 5).
     (111, "#1=999999999+1", "#1=999999999+1", ""),
     (111, "G65 H4 P#1 Q-100000 R10000", "G65 H4 P#1 Q-100000 R10000", ""),
+    (111, "#1=ABS[12345678901]", "#1=ABS[12345678901]", ""),
+    (111, "#1=12345678901\nG65 H22 P#2 Q#1", "G65 H22 P#2 Q#1", ""),
     // 0117: names and kinds of axes act from the next power-on.
     (117, "G10 L51\nN178 R5", "N178 R5", ""),
     // Note 5: what the machine is built of acts from the next power-on; as it is it may be set.

@@ -39,6 +39,9 @@ fn values_are_told_apart_by_ten_thousandths() {
         // What is put in may have fifteen digits, a result nine before the point, in between as many as it has.
         ("#500=123456789012345", 123_456_789_012_345.0),
         ("#500=999999998.5+1", 999_999_999.5),
+        ("#500=100000*100000/100000", 100_000.0),
+        ("#500=SQRT[40000*40000+30000*30000]", 50_000.0),
+        ("#500=[100000*100000GT1]*2", 2.0),
         ("#500=100000\nG65 H26 P#500 Q100000 R100000", 100_000.0),
         // Table 4-9-5-2: up to about 11.5129.
         ("#500=FIX[EXP[11.5129]]", 99_997.0),
