@@ -365,7 +365,7 @@ impl Interpreter {
     /// X and Y have nothing to act on: G43 and G44 know Z alone.
     pub(crate) fn set_tool_length(&mut self) -> Fallible<()> {
         let number = self.words.get(b'P').unwrap_or(f64::from(self.technology.tool));
-        self.tell_unused(*b"XYABCIJKLQR");
+        self.tell_unused(*b"ABCIJKLQR");
         let Some(z) = self.words.get(b'Z') else {
             self.tell_unused(*b"P");
             return Ok(());

@@ -437,7 +437,7 @@ impl Interpreter {
 
     /// Puts the block's modal codes in force.
     fn modal_codes(&mut self, codes: &mut Codes) -> Fallible<()> {
-        let mut motion = false;
+        let mut motion: Option<Code<GCode>> = None;
         let mut cycle = None;
         let mut length = None;
         let beside_motion = self.rules.cycles.stand_beside_motion;
@@ -471,10 +471,13 @@ impl Interpreter {
                 Group::NonModal if row.meaning == Meaning::InDegrees => codes.rotary.degrees = true,
                 Group::NonModal => codes.non_modal = Some(code),
                 Group::Motion => {
-                    motion = true;
+                    motion = Some(code);
                     self.modal.set(row);
                 }
                 Group::Cycle => {
+                    if row.meaning == Meaning::CycleOff {
+                        self.technology.rigid_tapping = false;
+                    }
                     if let Some(before) = cycle.replace(code) {
                         self.refuse_beside_own(before, row)?;
                     }
@@ -564,7 +567,7 @@ impl Interpreter {
                     return Err(self.alarm(Fault::UnknownGCode, self.cycle_span()));
                 }
             }
-            _ if motion && !beside_motion => self.cancel_cycle(),
+            _ if motion.is_some() && !beside_motion => self.cancel_cycle(),
             Some(row) if row.meaning == Meaning::CycleOff => self.cancel_cycle(),
             Some(row) => self.modal.set(row),
             None => {}
@@ -573,9 +576,10 @@ impl Interpreter {
         // words in a zone of influence are refused.
         if let Some(Code { row: GCode { meaning: Meaning::Cycle(kind), .. }, span }) = cycle
             && !matches!(kind, CycleKind::Own | CycleKind::Words(_))
-            && (codes.non_modal.is_some() || motion && !beside_motion)
+            && let Some(other) = codes.non_modal.or(motion.filter(|_| !beside_motion))
         {
-            self.tell(Alarm::core(Fault::NeedsOwnBlock, span));
+            let alarm = Alarm::core(Fault::CycleBesideCode, span);
+            self.tell(alarm.with("word", self.programs.slice(other.span)));
         }
         self.length_code(length, codes)?;
         // Centres of transformations are coordinates too; the words of a call are its arguments.

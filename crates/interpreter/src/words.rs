@@ -491,7 +491,12 @@ impl Reader<'_> {
         else {
             return Err(self.alarm(Fault::UnknownAddress, word));
         };
-        if !(value >= address.min && value <= address.max) {
+        // What an argument means its program says.
+        let is_argument = || {
+            (self.dialect.argument)(letter).is_some() && self.block_has(|meaning| meaning == Meaning::Call)
+        };
+        let is_in_range = value >= address.min && value <= address.max;
+        if !is_in_range && !is_argument() {
             let returns =
                 |meaning| matches!(meaning, Meaning::ReferenceReturn | Meaning::FurtherReferenceReturn);
             return Err(match letter {
@@ -503,7 +508,7 @@ impl Reader<'_> {
             });
         }
         let mut value = value;
-        if address.whole && (value.fract() != 0.0 || word.has_point()) {
+        if address.whole && (value.fract() != 0.0 || word.has_point()) && !is_argument() {
             // What a variable says is rounded to the unit of S, as Fanuc has it; a speed has no point.
             if letter != b'S' || word.has_point() {
                 return Err(self.alarm(Fault::WordNotWhole, word));

@@ -123,6 +123,13 @@ fn a_fourth_axis_moves_with_the_other_two() {
     );
 }
 
+/// G80 ends the waiting of M29 for its cycle, too.
+#[test]
+fn a_move_behind_g80_is_none_before_a_tapping_cycle() {
+    let found = common::lines("M29 S1000\nG80\nG0 X1\nM30\n", "");
+    assert_eq!(found[found.len() - 2..], ["rapid X1", "end M30"], "{found:?}");
+}
+
 #[test]
 fn rigid_tapping_draws_back_at_the_override_of_its_parameters() {
     let taps = |parameters: &str| {

@@ -77,6 +77,15 @@ fn programs_are_called_by_number_and_name_and_share_variables() {
         // Words beside it set variables as on Fanuc.
         ("M98 P8\nG65 P8 A4 X6\nM30\nO8\nX=#1 Y=#24\nM17", "", &["rapid X4 Y6", "end M30"]),
         ("G65 P8 H6\nM30\nO8\nX=#11\nM17", "", &["rapid X6", "end M30"]),
+        // They are no numbers of offsets and tools there.
+        (
+            "G65 P8 H-8.5 D12.5 T2.5\nM30\nO8\nX=#11 Y=#7 Z=#20\nM17",
+            "",
+            &["rapid Z2.5", "rapid X-8.5 Y12.5", "end M30"],
+        ),
+        // P beside M99 that another code has is no block; L is no word of it.
+        ("G4 P500 M99", "", &["dwell 0.5s", "end M99"]),
+        ("N1 G65 P7\nX5\nM30\nO7\nG4 P500 M99", "", &["dwell 0.5s", "rapid X5", "end M30"]),
         // Its caller goes on at the block that P of M99 names, behind the last repeat.
         (
             "N1 G65 P7 L2\nX5\nN3 Y3\nM30\nO7\nG91 X1\nG90 M99 P3",
@@ -908,7 +917,7 @@ fn a_check_tells_of_a_second_program_of_a_number() {
     hold(&[(program, "", &["rapid X1", "rapid X2", "rapid X3", "end M30"])]);
 }
 
-/// 4.3: words that a code does not have. What the manual gives G923 beside Z acts on nothing: G43 and G44 are along Z.
+/// 4.3: words that a code does not have.
 #[test]
 fn a_check_tells_of_words_without_effect() {
     let tool = "[tools.1]\nlength = 1";
@@ -917,7 +926,8 @@ fn a_check_tells_of_words_without_effect() {
             "G81 R1 Z0 F9 K0\nG34 X10 I5 K2 Z3 P4\nG36 X10 I5 K2 P4 R3\nM30",
             &[(2, Fault::WordUnused, "Z3"), (2, Fault::WordUnused, "P4"), (3, Fault::WordUnused, "R3")],
         ),
-        ("G923 X1 Y2 Z3 P1\nM30", &[(1, Fault::WordUnused, "X1"), (1, Fault::WordUnused, "Y2")]),
+        // The manual's own form.
+        ("G923 X1 Y2 Z3 P1\nM30", &[]),
         ("G923 P1\nM30", &[(1, Fault::WordUnused, "P1")]),
         ("G922 P1\nG922 X1 P1\nM30", &[(1, Fault::WordUnused, "P1")]),
         ("G4 S5\nG4 P5 S5\nM30", &[(1, Fault::WordMissing, "G4 S5")]),
@@ -936,13 +946,18 @@ fn a_check_tells_of_words_without_effect() {
 fn a_check_tells_of_cycles_that_make_no_hole() {
     let program = "G00 G81 X1 R1 Z0 F9\nG4 P5 G82 X2 R1 Z0\nG00 G80 X3\nG99 G81 X4 R1 Z0\nM30";
     let expected = [
-        (1, Fault::NeedsOwnBlock, "G81"),
-        (2, Fault::NeedsOwnBlock, "G82"),
+        (1, Fault::CycleBesideCode, "G81"),
+        (2, Fault::CycleBesideCode, "G82"),
         (2, Fault::WordUnused, "X2"),
         (2, Fault::WordUnused, "Z0"),
         (2, Fault::WordUnused, "R1"),
     ];
     assert_eq!(told(program, ""), expected.map(|(line, fault, word)| (line, fault, word.to_owned())));
+    let options = Options { keep_going: true, ..Options::default() };
+    let interpreter = interpreter_of(&DIALECT, program.as_bytes(), "", options).unwrap();
+    let first = interpreter.filter_map(Result::err).next().unwrap();
+    let text = Catalogue::new(Language::En).message(&first);
+    assert!(text.contains("G00"), "{text}");
 }
 
 /// 5 has no word of the macro language but IF: each of the others is told once, as a word.

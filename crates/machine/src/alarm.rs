@@ -362,6 +362,8 @@ faults! {
     NoHole = 535,
     /// A boring that does not move the tool aside in the hole.
     NoShift = 536,
+    /// A cycle that makes no hole since another code of its block goes before it.
+    CycleBesideCode = 537,
     /// A parameter of a cycle has a value that it cannot have.
     CycleParameter = 540,
     /// A parameter of a cycle is missing.

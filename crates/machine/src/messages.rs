@@ -27,7 +27,7 @@
 //! | `BracketsTooDeep`, `TooManyMCodes`, `TooManyHelicalAxes`, `CallsTooDeep` | `limit` |
 //! | `MalformedExpression`, `MalformedStatement`, `MixedStatement`, `UnclosedText`, `LengthInArc` | `word` |
 //! | `UnknownFunction` | `name` |
-//! | `UnknownGCode`, `UnknownMCode`, `UnknownAddress`, `RepeatedAddress`, `WordNotWhole`, `WordNegative`, `NeedsOwnBlock`, `NotSupported`, `LengthWithCode`, `TappingPitchTwice`, `WordMissing` | `word` |
+//! | `UnknownGCode`, `UnknownMCode`, `UnknownAddress`, `RepeatedAddress`, `WordNotWhole`, `WordNegative`, `NeedsOwnBlock`, `NotSupported`, `LengthWithCode`, `TappingPitchTwice`, `WordMissing`, `CycleBesideCode` | `word` |
 //! | `RepeatedGroup`, `ProgramCodesTogether` | `first`, `second`: the words |
 //! | `WordOutOfRange` | `word`, `min`, `max`; or `word` alone |
 //! | `UnknownAxis`, `ArcAxisBesidePlane`, `IntermediateMissing` | `axis` |

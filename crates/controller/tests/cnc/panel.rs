@@ -549,6 +549,8 @@ fn a_spindle_that_may_stand_refuses_no_start() {
         (&["KEY_DRY"], CUT),
         (&[], "M3 S600\nM5\nG91 G1 X-60 F600\nM30\n"),
         (&[], "M3 S600\nM19\nG91 G1 X-60 F600\nM30\n"),
+        // The ladder stops it for rigid tapping.
+        (&[], "M3 S600\nM29 S300\nG91 G99 G84 X-60 Z-3 R-1 F300\nG80\nM28\nM30\n"),
     ] {
         let mut mill = Mill::power_on();
         mill.home();

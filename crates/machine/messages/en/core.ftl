@@ -580,6 +580,9 @@ FC-0535 = The cycle makes no hole: the level R or the depth Z is missing
     .help = Program R and Z. Without one of them the tool is only positioned over the places.
 FC-0536 = The tool does not move aside in the hole: Q is missing
     .help = Program Q, how far it moves aside. Without, the cutting edge leaves a groove in the bore, and in a back boring the tool goes into the hole with its whole width.
+FC-0537 = The cycle makes no hole beside another code of its block
+    .detail = { $word }
+    .help = Program the cycle in a block of its own, behind the code.
 
 ## Canned cycles by parameters
 

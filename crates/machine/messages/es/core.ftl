@@ -580,6 +580,9 @@ FC-0535 = El ciclo no hace ningún agujero: falta el nivel R o la profundidad Z
     .help = Programe R y Z. Si falta uno de ellos, la herramienta solo se posiciona sobre los puntos.
 FC-0536 = La herramienta no se aparta en el agujero: falta Q
     .help = Programe Q, la distancia que se aparta. Sin ella, el filo deja un surco en el mandrinado, y en el mandrinado inverso la herramienta entra en el agujero con todo su ancho.
+FC-0537 = El ciclo no hace ningún agujero junto a otro código de su bloque
+    .detail = { $word }
+    .help = Programe el ciclo en un bloque propio, detrás del código.
 
 ## Canned cycles by parameters
 

@@ -580,6 +580,9 @@ FC-0535 = Çevrim delik açmıyor: R seviyesi veya Z derinliği eksik
     .help = R ve Z programlayın. Biri eksikse takım yalnızca yerlerin üzerine konumlanır.
 FC-0536 = Takım delikte yana çekilmiyor: Q eksik
     .help = Q ile ne kadar yana çekileceğini programlayın. Yoksa kesici kenar delikte iz bırakır, geri delik büyütmede takım deliğe tüm genişliğiyle girer.
+FC-0537 = Çevrim, bloğundaki başka bir kodun yanında delik açmıyor
+    .detail = { $word }
+    .help = Çevrimi, o kodun ardından, ayrı bir blokta programlayın.
 
 ## Canned cycles by parameters
 
