@@ -2,7 +2,7 @@ import "svelte/internal/disclose-version";
 import * as $ from "svelte/internal/client";
 // src/lib/parts/Card.svelte
 var root = $.from_html(`<div class="row wrap"><!></div>`);
-var root_1 = $.from_html(`<header class="s-1safrmb"><h2> </h2> <!></header>`);
+var root_1 = $.from_html(`<header class="s-11jt8f9"><h2> </h2> <!></header>`);
 var root_2 = $.from_html(`<section><!> <div><!></div></section>`);
 function Card($$anchor, $$props) {
 	let title = $.prop($$props, "title", 3, ""), flush = $.prop($$props, "flush", 3, false), fill = $.prop($$props, "fill", 3, false);
@@ -38,8 +38,8 @@ function Card($$anchor, $$props) {
 	$.reset(div_1);
 	$.reset(section);
 	$.template_effect(() => {
-		classes = $.set_class(section, 1, "card s-1safrmb", null, classes, { fill: fill() });
-		classes_1 = $.set_class(div_1, 1, "body s-1safrmb", null, classes_1, {
+		classes = $.set_class(section, 1, "card s-11jt8f9", null, classes, { fill: fill() });
+		classes_1 = $.set_class(div_1, 1, "body s-11jt8f9", null, classes_1, {
 			flush: flush(),
 			scroll: fill()
 		});
