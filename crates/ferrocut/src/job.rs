@@ -348,8 +348,7 @@ impl Shop {
                 let (programs, drawing) = source.run(dialect, &parameters)?;
                 return self.job_of(path, (dialect, told), programs, Some(drawing));
             }
-            Opened::Program(Some(text)) => text,
-            Opened::Program(None) => open_text(path).map_err(|error| Failure::of_open(path, error))?,
+            Opened::Program(text) => text_of(path, text).map_err(|error| Failure::of_open(path, error))?,
         };
         let (dialect, told) = self.dialect(&text, path)?;
         let programs = match path == Path::new("-") {
@@ -528,11 +527,12 @@ impl Job {
     }
 }
 
-/// The text of a file, or of standard input.
-pub fn open_text(path: &Path) -> Result<Text, OpenError> {
-    match path == Path::new("-") {
-        true => Text::from_reader(std::io::stdin().lock()),
-        false => Text::open(path),
+/// The text of a file, or of standard input, where it was not `read` already.
+pub fn text_of(path: &Path, read: Option<Text>) -> Result<Text, OpenError> {
+    match (read, path == Path::new("-")) {
+        (Some(text), _) => Ok(text),
+        (None, true) => Text::from_reader(std::io::stdin().lock()),
+        (None, false) => Text::open(path),
     }
 }
 

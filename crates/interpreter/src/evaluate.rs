@@ -39,17 +39,25 @@ pub struct Arithmetic {
     pub steps: f64,
     /// The largest result of EXP.
     pub largest_power: f64,
-    /// The largest magnitude of what comes of a whole expression; on the way there it may be [`LARGEST_RESULT`].
+    /// The largest magnitude of what comes of a whole expression; on the way there it may be `LARGEST_RESULT`.
     pub largest_result: f64,
 }
 
 /// The largest result of Fanuc (its alarm 111, from which GSK990MC 0111 is).
-pub const LARGEST_RESULT: f64 = 1e47;
+const LARGEST_RESULT: f64 = 1e47;
 
 /// Numbers from here on have no digits left behind those that are told apart.
 const COARSE: f64 = 1e11;
 
 impl Arithmetic {
+    /// Angles in degrees, all digits that there are, and results up to Fanuc's largest.
+    pub const EXACT: Arithmetic = Arithmetic {
+        angles: Angles::Degrees,
+        steps: 0.0,
+        largest_power: f64::INFINITY,
+        largest_result: LARGEST_RESULT,
+    };
+
     /// The value as the control tells it from others.
     #[inline]
     pub fn rounded(self, v: f64) -> f64 {
@@ -363,12 +371,7 @@ fn number_to_bcd(v: i64) -> Result<f64, Fault> {
 mod tests {
     use super::*;
 
-    const EXACT: Arithmetic = Arithmetic {
-        angles: Angles::Degrees,
-        steps: 0.0,
-        largest_power: f64::INFINITY,
-        largest_result: LARGEST_RESULT,
-    };
+    const EXACT: Arithmetic = Arithmetic::EXACT;
 
     fn value(nodes: &[Node]) -> Result<Value, Fault> {
         Evaluator::new(EXACT).value(nodes, |n| match n {

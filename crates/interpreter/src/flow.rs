@@ -692,13 +692,15 @@ impl Interpreter {
             return Err(Box::new(self.alarm(Fault::ProgramMissing, span).with("program", name())));
         };
         // No manual says which of them is called, and Fanuc takes no second one into its memory.
-        while self.tells()
-            && let Some(other) = self.programs.take_repeated(start, program)
-            && let Ok(Some(page)) = self.programs.page(other.file, other.page)
-            && let Some(block) = page.blocks.get(other.block as usize)
-        {
-            let alarm = Alarm::core(Fault::ProgramRepeated, page.block_span(block));
-            self.tell(alarm.with("program", name()));
+        let repeated =
+            if self.tells() { self.programs.take_repeated(start.file, program) } else { Vec::new() };
+        for other in repeated {
+            if let Ok(Some(page)) = self.programs.page(other.file, other.page)
+                && let Some(block) = page.blocks.get(other.block as usize)
+            {
+                let alarm = Alarm::core(Fault::ProgramRepeated, page.block_span(block));
+                self.tell(alarm.with("program", name()));
+            }
         }
         let locals = arguments.map(|arguments| self.enter_locals(arguments));
         let (back, number) = (self.flow.place, self.technology.program);
@@ -774,38 +776,36 @@ impl Interpreter {
 
     /// Whether the program comes to another end than that of M99 P which goes round, or to a fault.
     fn leads_on(&self) -> bool {
-        let mut ahead = self.clone();
-        (ahead.flow.ends_later, ahead.flow.looks_ahead) = (true, true);
-        (ahead.options.keep_going, ahead.options.warns) = (false, false);
-        ahead.alarms.clear();
-        let mut blocks = MAX_LOOKED_THROUGH;
-        while let Some(step) = ahead.next_within(&mut blocks) {
-            match step {
-                Ok(Step { op: Op::End(code), .. }) => return code != 99,
-                Ok(_) => {}
-                Err(_) => return true,
-            }
-        }
-        false
+        let mut ahead = self.at_no_fault();
+        ahead.flow.looks_ahead = true;
+        ahead.comes_to_end().unwrap_or(true)
     }
 
     /// Whether one of the passes that follow comes to M02 or M30.
     fn ends_later(&self, span: Span) -> bool {
-        let mut ahead = self.clone();
+        let mut ahead = self.at_no_fault();
+        matches!(ahead.start_again(span), Ok(false)) && ahead.comes_to_end().unwrap_or(false)
+    }
+
+    /// A copy that looks ahead up to the first fault.
+    fn at_no_fault(&self) -> Interpreter {
+        let mut ahead = self.looking_ahead();
         ahead.flow.ends_later = true;
-        (ahead.options.keep_going, ahead.options.warns) = (false, false);
+        ahead.options.keep_going = false;
         ahead.alarms.clear();
-        if !matches!(ahead.start_again(span), Ok(false)) {
-            return false;
-        }
+        ahead
+    }
+
+    /// Whether it comes to an end of its own before long: by M99 it ends where a pass is like the one before. An error where it
+    /// comes to a fault.
+    fn comes_to_end(mut self) -> Fallible<bool> {
         let mut blocks = MAX_LOOKED_THROUGH;
-        while let Some(Ok(step)) = ahead.next_within(&mut blocks) {
-            if let Op::End(code) = step.op {
-                // By M99 it ends where a pass is like the one before.
-                return code != 99;
+        while let Some(step) = self.next_within(&mut blocks) {
+            if let Op::End(code) = step?.op {
+                return Ok(code != 99);
             }
         }
-        false
+        Ok(false)
     }
 
     /// Goes on at the block with a sequence number: the next one from here down, else the first from

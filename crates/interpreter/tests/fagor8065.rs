@@ -3,8 +3,7 @@
 
 mod common;
 
-use common::{interpreter_of, lines_on, run_on};
-use ferrocut_interpreter::Options;
+use common::{lines_on, run_on, told_on};
 use ferrocut_interpreter::dialects::fagor8065::DIALECT;
 use ferrocut_machine::{Fault, Severity};
 
@@ -244,9 +243,7 @@ fn a_check_names_the_angle_of_a_stage_that_goes_straight_down() {
     let said = |cycle: &str, stages: &[&str], table: &str| {
         let stages: Vec<String> = stages.iter().map(|stage| format!("{stage}]\n")).collect();
         let program = format!("G0 X0 Y0 Z50\n#CYCLE {cycle}\n{}M30\n", stages.concat());
-        let options = Options { keep_going: true, ..Options::default() };
-        let interpreter = interpreter_of(&DIALECT, program.as_bytes(), table, options).unwrap();
-        let told = interpreter.filter_map(Result::err).map(|alarm| {
+        let told = told_on(&DIALECT, &program, table).into_iter().map(|alarm| {
             assert_eq!((alarm.fault, alarm.severity), (Fault::NoEntryAngle, Severity::Warning), "{program}");
             alarm.arguments.iter().map(|(_, value)| format!("{value:?}")).collect::<String>()
         });

@@ -3,7 +3,7 @@
 
 mod common;
 
-use common::{at_fault, interpreter_of, lines_on, run_on};
+use common::{at_fault, interpreter_of, lines_on, run_on, told_on};
 use ferrocut_geometry::Position;
 use ferrocut_interpreter::Options;
 use ferrocut_interpreter::dialects::kaitong::DIALECT;
@@ -537,10 +537,7 @@ fn a_return_names_a_block() {
     assert_eq!(alarm.map(|alarm| alarm.fault), Some(Fault::SequenceMissing));
     // A check looks further: at what such a jump leads to, and behind the call of one that leads nowhere.
     let told = |program: &str| {
-        let options = Options { keep_going: true, ..Options::default() };
-        let interpreter = interpreter_of(&DIALECT, program.as_bytes(), "", options).unwrap();
-        let alarms = interpreter.filter_map(Result::err);
-        alarms.map(|alarm| (alarm.span.line, alarm.fault)).collect::<Vec<_>>()
+        told_on(&DIALECT, program, "").iter().map(|a| (a.span.line, a.fault)).collect::<Vec<_>>()
     };
     let passes = "O1\n#1=0\nN2 #1=#1+1\nG91 G0 X1\nIF[#1 GE 3] GOTO 9\nM99 P2\nN9 G90 G0 X5\nG777\nM99";
     assert_eq!(told(passes), [(8, Fault::UnknownGCode)]);

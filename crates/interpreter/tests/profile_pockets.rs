@@ -4,9 +4,8 @@
 
 mod common;
 
-use common::{interpreter_of, lines_on, run_on};
+use common::{lines_on, run_on, told_on};
 use ferrocut_geometry::Position;
-use ferrocut_interpreter::Options;
 use ferrocut_interpreter::dialects::fagor8065::DIALECT;
 use ferrocut_machine::{Argument, Catalogue, Fault, Language, Severity};
 use ferrocut_toolpath::{Feed, Op, Step};
@@ -525,9 +524,7 @@ fn no_angle_is_straight_down() {
     assert!(lines.contains(&"feed Z-5 F100".to_owned()), "{lines:?}");
     // Where a program is checked, it is said.
     let said = |text: &str, tools: &str| {
-        let options = Options { keep_going: true, ..Options::default() };
-        let interpreter = interpreter_of(&DIALECT, text.as_bytes(), tools, options).unwrap();
-        interpreter.filter_map(Result::err).map(|a| (a.fault, a.severity)).collect::<Vec<_>>()
+        told_on(&DIALECT, text, tools).iter().map(|a| (a.fault, a.severity)).collect::<Vec<_>>()
     };
     let program = format!("{RECTANGLE}{MAIN}{ROUGH}M30\n");
     assert_eq!(said(&program, TOOLS), [(Fault::NoEntryAngle, Severity::Warning)]);

@@ -4,9 +4,9 @@
 
 mod common;
 
-use common::{holds, holds_with};
+use common::{holds, holds_with, told_on};
 use ferrocut_geometry::Position;
-use ferrocut_interpreter::Options;
+use ferrocut_interpreter::dialects::gsk990mc::DIALECT;
 use ferrocut_machine::{AlarmId, Fault, Severity};
 
 #[test]
@@ -23,8 +23,7 @@ fn feed_is_held_within_its_limits_where_it_is_used() {
 
 /// What a check tells of a program that runs.
 fn told(program: &str, setup: &str) -> Vec<(AlarmId, String)> {
-    let options = Options { keep_going: true, ..Options::default() };
-    let alarms = common::interpreter(program.as_bytes(), setup, options).unwrap().filter_map(Result::err);
+    let alarms = told_on(&DIALECT, program, setup).into_iter();
     let said = alarms.map(|alarm| {
         assert_eq!(alarm.severity, Severity::Warning, "{program}: {alarm:?}");
         (alarm.id, common::at_fault(program, &alarm).to_owned())

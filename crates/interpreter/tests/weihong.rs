@@ -3,7 +3,7 @@
 
 mod common;
 
-use common::{at_fault, interpreter_of, lines_on, run_on};
+use common::{at_fault, interpreter_of, lines_on, run_on, told_on};
 use ferrocut_geometry::{Axis, Position};
 use ferrocut_interpreter::dialects::weihong::DIALECT;
 use ferrocut_interpreter::{Interpreter, Options, Unreferenced};
@@ -18,10 +18,8 @@ type Told = (u32, Fault, &'static str);
 
 /// What a check tells: line, fault, words.
 fn told(program: &str, setup: &str) -> Vec<(u32, Fault, String)> {
-    let options = Options { keep_going: true, ..Options::default() };
-    let interpreter = interpreter_of(&DIALECT, program.as_bytes(), setup, options).unwrap();
-    let alarms = interpreter.filter_map(Result::err);
-    alarms.map(|alarm| (alarm.span.line, alarm.fault, at_fault(program, &alarm).to_owned())).collect()
+    let alarms = told_on(&DIALECT, program, setup);
+    alarms.iter().map(|a| (a.span.line, a.fault, at_fault(program, a).to_owned())).collect()
 }
 
 fn hold(cases: &[Case]) {
@@ -904,9 +902,7 @@ fn a_check_tells_of_codes_that_have_no_effect() {
 #[test]
 fn a_check_tells_of_a_second_program_of_a_number() {
     let program = "G65 P7 L2\nG65 P7\nM30\nO7\nG91 X1\nM17\nO8\nM17\nO7\nX9\nM17\nO8\nM17";
-    let options = Options { keep_going: true, ..Options::default() };
-    let interpreter = interpreter_of(&DIALECT, program.as_bytes(), "", options).unwrap();
-    let told: Vec<_> = interpreter.filter_map(Result::err).collect();
+    let told = told_on(&DIALECT, program, "");
     let found: Vec<_> = told
         .iter()
         .map(|alarm| (alarm.severity, alarm.fault, alarm.span.line, at_fault(program, alarm)))
@@ -953,10 +949,7 @@ fn a_check_tells_of_cycles_that_make_no_hole() {
         (2, Fault::WordUnused, "R1"),
     ];
     assert_eq!(told(program, ""), expected.map(|(line, fault, word)| (line, fault, word.to_owned())));
-    let options = Options { keep_going: true, ..Options::default() };
-    let interpreter = interpreter_of(&DIALECT, program.as_bytes(), "", options).unwrap();
-    let first = interpreter.filter_map(Result::err).next().unwrap();
-    let text = Catalogue::new(Language::En).message(&first);
+    let text = Catalogue::new(Language::En).message(&told_on(&DIALECT, program, "")[0]);
     assert!(text.contains("G00"), "{text}");
 }
 

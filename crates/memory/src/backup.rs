@@ -472,7 +472,15 @@ impl<'de> Visitor<'de> for OneCell {
     }
 }
 
+/// How the first line begins.
+const BEGIN: &[u8] = b"{\"ferrocut-backup\":";
+
 impl Backup {
+    /// Whether a backup may begin so.
+    pub fn may_begin(first: &[u8]) -> bool {
+        BEGIN.iter().zip(first).all(|(a, b)| a == b)
+    }
+
     /// Opens a backup and judges all of it.
     pub fn open(path: &Path) -> Result<Backup, Error> {
         Backup::of(File::open(path)?, &path.to_string_lossy())

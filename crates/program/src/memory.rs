@@ -150,8 +150,9 @@ pub struct ProgramMemory {
     folder_index: Option<HashMap<ProgramId, PathBuf>>,
     /// Where else programs are found.
     source: Option<Arc<Mutex<Box<dyn Source>>>>,
-    /// Programs with the number or name of one before them in their file, which nothing calls.
-    repeated: Vec<(ProgramId, Place)>,
+    /// Programs with the number or name of one before them in their file, which nothing calls, and how many they are.
+    repeated: HashMap<(FileId, ProgramId), Vec<Place>>,
+    repeated_count: usize,
 }
 
 impl ProgramMemory {
@@ -168,7 +169,8 @@ impl ProgramMemory {
             folder: None,
             folder_index: None,
             source: None,
-            repeated: Vec::new(),
+            repeated: HashMap::new(),
+            repeated_count: 0,
         };
         memory.add(name, text);
         memory
@@ -477,11 +479,12 @@ impl ProgramMemory {
         }
     }
 
-    /// A further program with the number or name of a program that was found, in the same file; each is given out once.
-    pub fn take_repeated(&mut self, found: Place, id: &ProgramId) -> Option<Place> {
-        let is_it = |(of, at): &(ProgramId, Place)| of == id && at.file == found.file;
-        let at = self.repeated.iter().position(is_it)?;
-        Some(self.repeated.swap_remove(at).1)
+    /// Further programs with the number or name of one of a file; given out once.
+    pub fn take_repeated(&mut self, file: FileId, id: &ProgramId) -> Vec<Place> {
+        if self.repeated.is_empty() {
+            return Vec::new();
+        }
+        self.repeated.remove(&(file, id.clone())).unwrap_or_default()
     }
 
     /// Numbers within a range that programs have: in the main file, in the files added, and among the small
@@ -587,8 +590,9 @@ impl ProgramMemory {
                 };
                 let place = Place { file: id, page: number, block: at };
                 if programs.contains_key(&program) {
-                    if self.repeated.len() < MAX_PROGRAMS {
-                        self.repeated.push((program, place));
+                    if self.repeated_count < MAX_PROGRAMS {
+                        self.repeated_count += 1;
+                        self.repeated.entry((id, program)).or_default().push(place);
                     }
                 } else if programs.len() < MAX_PROGRAMS {
                     programs.insert(program, place);

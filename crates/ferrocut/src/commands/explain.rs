@@ -4,7 +4,7 @@ use crate::cli::{Common, Show};
 use crate::commands::names::complain;
 use crate::diagnostics::Diagnostics;
 use crate::drawing::{Opened, Source};
-use crate::job::{Exit, Failure, Shop, open_text};
+use crate::job::{Exit, Failure, Shop, text_of};
 use crate::stdout;
 use clap::Args;
 use ferrocut_desk::{Asked, Page, asked, memory_of};
@@ -152,7 +152,7 @@ fn open_program(file: &Path, book: &Book) -> Result<ProgramMemory, String> {
             let named = [("file", source.name.as_str().into()), ("kind", source.format.name().into())];
             return Err(book.catalogue.label("label-explain-drawing", &named));
         }
-        Opened::Program(text) => text.map_or_else(|| open_text(file), Ok),
+        Opened::Program(text) => text_of(file, text),
     };
     let text = text.map_err(|error| told(&Failure::of_open(file, error), book))?;
     Ok(match file == Path::new("-") {

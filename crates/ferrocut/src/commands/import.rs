@@ -4,7 +4,7 @@ use crate::cli::ImportArgs;
 use crate::commands::layout::print;
 use crate::commands::view::picture_format;
 use crate::drawing::{FromDrawing, Made, Opened, Source};
-use crate::job::{Exit, Failure, Shop, open_text};
+use crate::job::{Exit, Failure, Shop, text_of};
 use crate::outputs;
 use crate::view::{PathModel, render};
 use ferrocut_exchange::write::Ends;
@@ -114,7 +114,7 @@ fn source(args: &ImportArgs, shop: &Shop) -> Result<Box<Source>, Failure> {
     // Only a drawing is looked for: what is none must be named.
     match Source::open_as(&args.file, settings, format)? {
         Opened::Drawing(source) => Ok(source),
-        Opened::Program(text) => match text.map_or_else(|| open_text(&args.file), Ok) {
+        Opened::Program(text) => match text_of(&args.file, text) {
             Ok(_) | Err(OpenError::NotText | OpenError::Utf16) => {
                 Err(Failure::no_drawing(&args.file.to_string_lossy()))
             }

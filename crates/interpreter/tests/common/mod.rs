@@ -61,6 +61,13 @@ pub fn run_on(dialect: &'static Dialect, program: &str, setup: &str) -> (Vec<Ste
     (steps, None)
 }
 
+/// What a check tells of a program, on any control.
+pub fn told_on(dialect: &'static Dialect, program: &str, setup: &str) -> Vec<Alarm> {
+    let options = Options { keep_going: true, ..Options::default() };
+    let interpreter = interpreter_of(dialect, program.as_bytes(), setup, options).unwrap();
+    interpreter.filter_map(Result::err).map(|alarm| *alarm).collect()
+}
+
 /// The steps of a program that raises no alarm, in short lines.
 pub fn lines(program: &str, setup: &str) -> Vec<String> {
     lines_on(&dialects::gsk990mc::DIALECT, program, setup)

@@ -21,9 +21,6 @@ use std::path::Path;
 /// Longest line that is read as a password, bytes.
 const LINE: u64 = 1024;
 
-/// How a backup begins.
-const HEAD: &[u8] = b"{\"ferrocut-backup\":";
-
 /// The memory in a folder, made where there is none.
 pub fn open(folder: &Path, control: &str) -> Result<Store, Failure> {
     Store::open(folder, Settings::new(control)).map_err(|error| unopened(folder, &error))
@@ -98,7 +95,7 @@ fn copied(mut from: impl BufRead, path: &Path) -> Result<File, Failure> {
         let piece = from.fill_buf().map_err(|error| unreadable(path, &error))?;
         file.write_all(piece).map_err(unwritable)?;
         // What begins otherwise may have no end, and is judged by its first piece.
-        if piece.is_empty() || !*is_backup.get_or_insert(HEAD.iter().zip(piece).all(|(a, b)| a == b)) {
+        if piece.is_empty() || !*is_backup.get_or_insert(Backup::may_begin(piece)) {
             return Ok(file);
         }
         let count = piece.len();

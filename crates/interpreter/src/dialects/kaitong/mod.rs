@@ -11,7 +11,7 @@ mod variables;
 
 use crate::dialect::Dialect;
 use crate::dialects::fanuc;
-use crate::evaluate::{Angles, Arithmetic, LARGEST_RESULT};
+use crate::evaluate::Arithmetic;
 use ferrocut_machine::WorkOffset;
 use ferrocut_program::Syntax;
 
@@ -24,12 +24,7 @@ pub static DIALECT: Dialect = Dialect {
     name: "kaitong",
     extensions: &[],
     syntax: &SYNTAX,
-    arithmetic: Arithmetic {
-        angles: Angles::Degrees,
-        steps: 0.0,
-        largest_power: f64::INFINITY,
-        largest_result: LARGEST_RESULT,
-    },
+    arithmetic: Arithmetic::EXACT,
     g_codes: &codes::G_CODES,
     m_codes: &codes::M_CODES,
     other_m_codes: &fanuc::MACHINE_M,

@@ -37,7 +37,7 @@ pub(crate) use state::State;
 
 use crate::dialect::Dialect;
 use crate::dialects::fanuc;
-use crate::evaluate::{Angles, Arithmetic, LARGEST_RESULT};
+use crate::evaluate::Arithmetic;
 use ferrocut_machine::WorkOffset;
 
 /// The language of LinuxCNC.
@@ -45,12 +45,7 @@ pub static DIALECT: Dialect = Dialect {
     name: "rs274",
     extensions: &["ngc"],
     syntax: &syntax::SYNTAX,
-    arithmetic: Arithmetic {
-        angles: Angles::Degrees,
-        steps: 0.0,
-        largest_power: f64::INFINITY,
-        largest_result: LARGEST_RESULT,
-    },
+    arithmetic: Arithmetic::EXACT,
     g_codes: codes::G_CODES,
     m_codes: codes::M_CODES,
     other_m_codes: &[],

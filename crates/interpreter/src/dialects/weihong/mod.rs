@@ -10,7 +10,7 @@ mod variables;
 
 use crate::dialect::{CustomPrograms, Dialect};
 use crate::dialects::fanuc;
-use crate::evaluate::{Angles, Arithmetic, LARGEST_RESULT};
+use crate::evaluate::{Angles, Arithmetic};
 use ferrocut_machine::WorkOffset;
 
 /// The Weihong control.
@@ -19,12 +19,7 @@ pub static DIALECT: Dialect = Dialect {
     extensions: &["mmg", "eng"],
     syntax: &syntax::SYNTAX,
     // 4.5.
-    arithmetic: Arithmetic {
-        angles: Angles::Radians,
-        steps: 0.0,
-        largest_power: f64::INFINITY,
-        largest_result: LARGEST_RESULT,
-    },
+    arithmetic: Arithmetic { angles: Angles::Radians, ..Arithmetic::EXACT },
     g_codes: codes::G_CODES,
     m_codes: codes::M_CODES,
     other_m_codes: &[],
