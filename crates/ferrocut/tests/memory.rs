@@ -134,6 +134,13 @@ fn a_backup_goes_to_a_pipe() {
         // What is none may have no end.
         let endless = ferrocut(&["memory", "check", "/dev/zero"]);
         assert_eq!((endless.code, endless.out.as_str()), (2, ""), "{}", endless.err);
+        // Nor what begins as one.
+        let begun: String = piped.out.split_inclusive('\n').take(2).collect();
+        let script = "(cat; exec yes) | \"$0\" memory check -";
+        let mut shell = assert_cmd::Command::new("sh");
+        let program = env!("CARGO_BIN_EXE_ferrocut");
+        let answer = common::answer(shell.args(["-c", script, program]).write_stdin(begun));
+        assert!(answer.code == 1 && answer.err.contains("FC-1210"), "{}", answer.err);
         let mut check = command(&["memory", "check", "-"]);
         let answer = common::answer(check.env("TMPDIR", "/no/such").write_stdin(piped.out.as_str()));
         let says = answer.err.contains("FC-0907") && answer.err.contains("/no/such");

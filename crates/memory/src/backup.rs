@@ -251,6 +251,20 @@ pub struct Backup {
     sum: String,
 }
 
+/// Writes what it reads to a file.
+struct Copying<'a, R> {
+    from: R,
+    to: &'a File,
+}
+
+impl<R: Read> Read for Copying<'_, R> {
+    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
+        let count = self.from.read(buffer)?;
+        self.to.write_all(&buffer[..count])?;
+        Ok(count)
+    }
+}
+
 /// Reads lines of a bounded length.
 struct Lines<R> {
     from: R,
@@ -288,11 +302,10 @@ impl<R: BufRead> Lines<R> {
 
 /// Reads a backup, and gives each row away. Says what it is and its sum.
 fn read(
-    mut file: &File,
+    from: impl Read,
     mut each: impl FnMut(Item, Row) -> Result<(), Error>,
 ) -> Result<(Head, Vec<BackupEntry>, String), Error> {
-    file.rewind()?;
-    let mut lines = Lines::new(BufReader::new(file));
+    let mut lines = Lines::new(BufReader::new(from));
     let head = head(&mut lines)?;
     let mut items = Vec::new();
     for name in &head.items {
@@ -472,25 +485,28 @@ impl<'de> Visitor<'de> for OneCell {
     }
 }
 
-/// How the first line begins.
-const BEGIN: &[u8] = b"{\"ferrocut-backup\":";
-
 impl Backup {
-    /// Whether a backup may begin so.
-    pub fn may_begin(first: &[u8]) -> bool {
-        BEGIN.iter().zip(first).all(|(a, b)| a == b)
-    }
-
     /// Opens a backup and judges all of it.
     pub fn open(path: &Path) -> Result<Backup, Error> {
         Backup::of(File::open(path)?, &path.to_string_lossy())
     }
 
     /// Judges a file that is open. The log of what is restored calls it by `name`.
-    pub fn of(file: File, name: &str) -> Result<Backup, Error> {
-        let (head, entries, sum) = read(&file, |_, _| Ok(()))?;
+    pub fn of(mut file: File, name: &str) -> Result<Backup, Error> {
+        file.rewind()?;
+        let judged = read(&file, |_, _| Ok(()))?;
+        Ok(Backup::judged(file, judged, name))
+    }
+
+    /// Judges what can be read once, and keeps it in `file`. No more is read than up to the first fault.
+    pub fn copied(from: impl Read, file: File, name: &str) -> Result<Backup, Error> {
+        let judged = read(Copying { from, to: &file }, |_, _| Ok(()))?;
+        Ok(Backup::judged(file, judged, name))
+    }
+
+    fn judged(file: File, (head, entries, sum): (Head, Vec<BackupEntry>, String), name: &str) -> Backup {
         let Head { control, time, commits, .. } = head;
-        Ok(Backup { name: name.to_owned(), file, control, time, commits, entries, sum })
+        Backup { name: name.to_owned(), file, control, time, commits, entries, sum }
     }
 
     /// The control that it is of.
@@ -603,7 +619,7 @@ impl Store {
 
 fn restore(
     applier: &mut Applier,
-    file: &File,
+    mut file: &File,
     sum: &str,
     author: &Author,
     items: &[Item],
@@ -612,6 +628,7 @@ fn restore(
         applier.clear_for_restore(*item)?;
     }
     let mut histories: Vec<(Item, Vec<Row>)> = Vec::new();
+    file.rewind()?;
     let (_, _, now) = read(file, |item, row| {
         if !items.contains(&item) {
             return Ok(());

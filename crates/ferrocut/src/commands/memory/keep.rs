@@ -68,39 +68,24 @@ pub fn back_up(args: &BackupArgs, diagnostics: &Diagnostics) -> Result<Exit, Fai
     Ok(Exit::Fine)
 }
 
-/// A backup that was judged. One on standard input or in a pipe can be read once, and is copied first.
+/// A backup that was judged. One on standard input or in a pipe can be read once, and is copied meanwhile.
 pub fn opened_backup(path: &Path) -> Result<Backup, Failure> {
     if path.is_dir() {
         return Err(Failure::of_open(path, ferrocut_program::OpenError::Folder));
     }
-    let file = match path == Path::new("-") {
-        true => copied(io::stdin().lock(), path)?,
+    let unreadable = |error: io::Error| Failure::unreadable(&name(path), &error.to_string());
+    let copied = |from: &mut dyn Read| {
+        let unwritable = |error| Failure::cannot_write(&name(&std::env::temp_dir()), &error);
+        Ok(Backup::copied(from, tempfile::tempfile().map_err(unwritable)?, &name(path)))
+    };
+    let backup = match path == Path::new("-") {
+        true => copied(&mut io::stdin().lock())?,
         false => {
-            let file = File::open(path).map_err(|error| unreadable(path, &error))?;
-            if path.is_file() { file } else { copied(BufReader::new(file), path)? }
+            let mut file = File::open(path).map_err(unreadable)?;
+            if path.is_file() { Backup::of(file, &name(path)) } else { copied(&mut file)? }
         }
     };
-    Backup::of(file, &name(path)).map_err(|error| refused_backup(path, &error))
-}
-
-fn unreadable(path: &Path, error: &io::Error) -> Failure {
-    Failure::unreadable(&name(path), &error.to_string())
-}
-
-fn copied(mut from: impl BufRead, path: &Path) -> Result<File, Failure> {
-    let unwritable = |error| Failure::cannot_write(&name(&std::env::temp_dir()), &error);
-    let mut file = tempfile::tempfile().map_err(unwritable)?;
-    let mut is_backup = None;
-    loop {
-        let piece = from.fill_buf().map_err(|error| unreadable(path, &error))?;
-        file.write_all(piece).map_err(unwritable)?;
-        // What begins otherwise may have no end, and is judged by its first piece.
-        if piece.is_empty() || !*is_backup.get_or_insert(Backup::may_begin(piece)) {
-            return Ok(file);
-        }
-        let count = piece.len();
-        from.consume(count);
-    }
+    backup.map_err(|error| refused_backup(path, &error))
 }
 
 /// Restores a backup.
