@@ -45,6 +45,7 @@ use crate::spindle::Spindle;
 use crate::supervision::Supervisor;
 use awaited_input::AwaitedInput;
 use block_end::{Block, Blocks};
+use ferrocut_geometry::vector::turned;
 use ferrocut_geometry::{Axis, AxisSet, Position};
 use ferrocut_interpreter::{AtRest, Interpreter, Shown};
 use ferrocut_machine::config::SpindleConfig;
@@ -407,6 +408,16 @@ impl Cnc {
     /// Machine position of the program's zero for the move being run, tool length included.
     pub fn program_zero(&self) -> Position {
         self.frame().zero
+    }
+
+    /// A machine position in the work coordinate system of the move being run: the tip of the tool.
+    pub fn in_work(&self, machine: Position) -> Position {
+        let Frame { zero, turn, .. } = self.frame();
+        let mut at = machine - zero;
+        if turn != 0.0 {
+            [at[Axis::X], at[Axis::Y]] = turned([at[Axis::X], at[Axis::Y]], -turn.to_radians());
+        }
+        at
     }
 
     /// What tool length compensation adds for the move being run.

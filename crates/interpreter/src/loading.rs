@@ -217,6 +217,11 @@ impl Interpreter {
         self.location.work.shift + self.location.length.vector
     }
 
+    /// How far the work coordinate system is turned about Z, degrees (RS274/NGC, R of G10 L2).
+    pub fn program_turn(&self) -> f64 {
+        self.ngc.turn.degrees
+    }
+
     /// What tool length compensation adds to positions.
     pub fn length_in_force(&self) -> Position {
         self.location.length.vector

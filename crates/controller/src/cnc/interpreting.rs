@@ -51,6 +51,8 @@ type Next = Option<Result<Step, Box<Alarm>>>;
 pub(super) struct Frame {
     /// Machine position of the program's zero, tool length included.
     pub zero: Position,
+    /// How far its coordinate system is turned about Z, degrees.
+    pub turn: f64,
     /// What of it is tool length.
     pub length: Position,
     /// Whether stored stroke check 2 holds (G12).
@@ -69,6 +71,7 @@ impl Frame {
         Frame {
             shown: block.map_or_else(|| interpreter.shown(), |block| interpreter.shown_at(block)),
             zero: interpreter.program_zero(),
+            turn: interpreter.program_turn(),
             length: interpreter.length_in_force(),
             stroke_check: interpreter.stroke_check(),
             begun: interpreter.blocks_begun(),

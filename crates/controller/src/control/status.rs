@@ -281,7 +281,7 @@ impl Control {
     fn positions(&self) -> Positions {
         let path = self.tick.position - self.cnc.handwheel_shift();
         // 6.2.2: a handwheel interruption changes neither this nor relative coordinates.
-        let work = path - self.cnc.program_zero();
+        let work = self.cnc.in_work(path);
         // 22#6 DAL.
         let absolute = if self.bit(22, 6) { work + self.cnc.tool_length() } else { work };
         Positions {

@@ -1637,6 +1637,24 @@ fn what_a_program_says_stands_in_the_status_until_nothing_runs() {
     assert_eq!(shop.until_it_stops().program_message, "");
 }
 
+/// LinuxCNC, G10 L2: R turns the axes of the coordinate system about Z.
+#[test]
+fn positions_are_those_of_a_turned_coordinate_system() {
+    let machine = Machine { dialect: "rs274".into(), ..Machine::demo_mill() };
+    let mut shop = Shop::of(&machine, Parts::default());
+    shop.store("turned.ngc", "G10 L2 P1 X10 Y5 Z1 R90\nG0 X20 Y4 Z3\nM0\nG92 X0 Y0\nG0 X2 Y1\nM2\n");
+    shop.select("turned.ngc");
+    shop.start();
+    for (work, machine) in [([20.0, 4.0, 3.0], [6.0, 25.0, 4.0]), ([2.0, 1.0, 3.0], [5.0, 27.0, 4.0])] {
+        let status = shop.until_it_stops();
+        for (k, axis) in ['X', 'Y', 'Z'].into_iter().enumerate() {
+            let at = [status.position.work[&axis], status.position.machine[&axis]];
+            assert!((at[0] - work[k]).abs() < 1e-9 && (at[1] - machine[k]).abs() < 1e-9, "{axis} {at:?}");
+        }
+        shop.start();
+    }
+}
+
 /// Appendix 1: P355 starts of the control, P358 and P359 hours and days of power on, P360 hours of cutting.
 #[test]
 fn times_stand_in_their_parameters() {
