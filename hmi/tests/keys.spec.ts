@@ -56,7 +56,7 @@ test('the pointer may leave a held key; the key stays down until the pointer is 
 
 test('fingers hold keys: each its own, until it is lifted', async ({ browser }) => {
   const context = await browser.newContext({ hasTouch: true, viewport: { width: 1366, height: 820 } });
-  const { page, sent } = await mock(context, { mode: 'jog' });
+  const { page, sent, quiet } = await mock(context, { mode: 'jog' });
   const cdp = await context.newCDPSession(page);
   const finger = async (key: string, id: number) => {
     const box = (await page.locator(`[data-signal="${key}"]`).boundingBox())!;
@@ -75,6 +75,7 @@ test('fingers hold keys: each its own, until it is lifted', async ({ browser }) 
   await expect.poll(() => keys(sent)).toEqual(['KEY_X+ down', 'KEY_Z- down', 'KEY_X+ up']);
   await touch('touchEnd', { ...second, y: second.y + 150 });
   await expect.poll(() => keys(sent)).toEqual(['KEY_X+ down', 'KEY_Z- down', 'KEY_X+ up', 'KEY_Z- up']);
+  quiet();
   await context.close();
 });
 
@@ -209,7 +210,7 @@ const stops = (sent: Sent[]) => sent.filter((one) => one.do === 'emergency_stop'
 for (const apart of [80, 150, 250, 700]) {
   test(`an emergency stop that is hit twice within ${apart} ms stands`, async ({ browser }) => {
     const context = await browser.newContext({ hasTouch: true, viewport: { width: 1366, height: 820 } });
-    const { page, sent } = await mock(context);
+    const { page, sent, quiet } = await mock(context);
     await stands(page, 'running');
     const box = (await page.getByTestId('emergency').boundingBox())!;
     const cdp = await context.newCDPSession(page);
@@ -234,6 +235,7 @@ for (const apart of [80, 150, 250, 700]) {
     await page.touchscreen.tap(touchPoints[0]!.x, touchPoints[0]!.y);
     await page.waitForTimeout(1200);
     expect(stops(sent)).not.toContain(false);
+    quiet();
     await context.close();
   });
 }

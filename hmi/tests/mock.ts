@@ -15,6 +15,8 @@ export type Mock = {
   sent: Sent[];
   /** Cuts the connection. */
   cut(): void;
+  /** Tells no more status: a browser that is told on and on has not always closed a page. */
+  quiet(): void;
   /** Says something besides, such as an event. */
   say(line: object): void;
   /** Who is logged in. */
@@ -59,6 +61,7 @@ export async function mock(context: BrowserContext, options: Options = {}): Prom
   const sent: Sent[] = [];
   let socket: WebSocketRoute | null = null;
   let emergency = false;
+  let quiet = (): void => undefined;
   const session = { level: 0, needs_log_in: options.needsLogIn ?? false };
   if (options.welcomed !== false) {
     await page.addInitScript(() => {
@@ -104,13 +107,14 @@ export async function mock(context: BrowserContext, options: Options = {}): Prom
       if (command.id === undefined) return;
       if (command.do === 'emergency_stop') emergency = command.pressed === true;
       if (command.do === 'watch') {
+        quiet = () => clearInterval(timer);
         timer = setInterval(() => say({ status: { ...status(options.moves === false ? 0 : tick++, options), ...(emergency ? { activity: 'emergency' } : {}) } }), 20);
       }
       say({ id: command.id, ...reply(command, options) });
     });
   });
   await page.goto(home);
-  return { page, home, sent, session, cut: () => void socket?.close(), say: (line) => socket?.send(JSON.stringify(line)) };
+  return { page, home, sent, session, cut: () => void socket?.close(), quiet: () => quiet(), say: (line) => socket?.send(JSON.stringify(line)) };
 }
 
 const lettersOf = (options: Options) => options.axes ?? ['X', 'Y', 'Z', 'A'];
