@@ -1653,6 +1653,15 @@ fn positions_are_those_of_a_turned_coordinate_system() {
         }
         shop.start();
     }
+    // Touching off sets X and leaves the others, whatever is turned, shifted and compensated.
+    shop.mode(Mode::Mdi);
+    shop.say(Command::Mdi { text: "G43.1 Z7".into() });
+    shop.start();
+    let before = shop.until_it_stops().position.work;
+    shop.say(Command::ZeroHere { system: "G54".into(), axes: ByAxis::from([('X', 30.0)]), typed: false });
+    let after = shop.wait(100).position.work;
+    let expected = [('X', 30.0), ('Y', before[&'Y']), ('Z', before[&'Z'])];
+    assert!(expected.iter().all(|(axis, at)| (after[axis] - at).abs() < 1e-9), "{before:?} {after:?}");
 }
 
 /// Appendix 1: P355 starts of the control, P358 and P359 hours and days of power on, P360 hours of cutting.

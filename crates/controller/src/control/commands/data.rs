@@ -117,11 +117,15 @@ impl Control {
         Ok((name, self.zero_asked(name).ok_or_else(missing)?))
     }
 
-    /// The axis at rest has this coordinate in the system, other shifts aside; or the value is `typed` as the page of the
+    /// The axis at rest has this coordinate in the system, other shifts aside, but in RS274/NGC, which has its own touch off; or the
+    /// value is `typed` as the page of the
     /// zeros takes it: X10 is the machine coordinate + 10 (3.4.2), with 10#5 it is taken off.
     pub(super) fn zero_here(&mut self, system: &str, axes: &ByAxis, typed: bool, author: &Author) -> Answer {
         if self.tick.moving {
             return Err(Box::new(alarm(Fault::ControlBusy)));
+        }
+        if !typed && let Some(zero) = self.touched_off(system, axes)? {
+            return self.set_zero(system, &zero, false, author);
         }
         let adds = typed && !self.bit(10, 5);
         let mut wanted = ByAxis::new();
@@ -132,6 +136,18 @@ impl Control {
         }
         let wanted = self.without_external(system, wanted)?;
         self.set_zero(system, &wanted, false, author)
+    }
+
+    /// The zero with which the axes have these coordinates, tool length, turn and G92 included, where the language has it so.
+    fn touched_off(&self, system: &str, axes: &ByAxis) -> Result<Option<ByAxis>, Box<Alarm>> {
+        let (name, _) = self.zero_of(system)?;
+        let mut coordinates = Vec::with_capacity(axes.len());
+        for (letter, value) in axes {
+            coordinates.push((self.axis_named(*letter)?, *value));
+        }
+        let free = self.tick.position - self.cnc.tool_length();
+        let zero = self.cnc.interpreter().touched_off(name, free, &coordinates);
+        Ok(zero.map(|zero| self.by_axis(zero)))
     }
 
     /// Machine positions of a zero, as the zero of a system that the external one is added to.

@@ -10,7 +10,7 @@ use crate::Fallible;
 use crate::dialect::{GCode, Meaning};
 use crate::interpreter::Interpreter;
 use crate::modal::Group;
-use ferrocut_geometry::{Axis, Plane, Position};
+use ferrocut_geometry::{Axis, AxisSet, Plane, Position};
 use ferrocut_machine::{Fault, WorkOffset};
 
 /// Coordinate systems.
@@ -234,20 +234,8 @@ impl Interpreter {
         let mut zero = zero - external;
         let axes = self.words.axes(self.rules.axes);
         if by_position {
-            // Where the axes stand in that system, with the coordinates that the block gives.
             let free = self.location.machine - self.ngc.length;
-            let mut point = turn.undo(free - zero - external) - self.ngc.shift;
-            for axis in axes.iter() {
-                point[axis] = self.ngc_axis_word(axis).unwrap_or(point[axis]);
-            }
-            let moved = free - external - turn.apply(point + self.ngc.shift);
-            let turns_both = |axis| matches!(axis, Axis::X | Axis::Y) && turn.degrees != 0.0;
-            let names_both = axes.contains(Axis::X) || axes.contains(Axis::Y);
-            for axis in Axis::ALL {
-                if axes.contains(axis) || names_both && turns_both(axis) {
-                    zero[axis] = moved[axis];
-                }
-            }
+            zero = self.ngc_zero_by_position(number, free, axes, |axis| self.ngc_axis_word(axis));
         } else {
             for axis in axes.iter() {
                 zero[axis] = self.ngc_axis_word(axis).unwrap_or(zero[axis]);
@@ -266,6 +254,48 @@ impl Interpreter {
         }
         self.variable_writes += 1;
         Ok(())
+    }
+
+    /// The zero, without the external one, with which the axes at the machine position `free` of tool length have in that system
+    /// the coordinates that are given for `axes`.
+    fn ngc_zero_by_position(
+        &self,
+        number: u8,
+        free: Position,
+        axes: AxisSet,
+        given: impl Fn(Axis) -> Option<f64>,
+    ) -> Position {
+        let (zero, turn) = self.ngc_zero_of(number);
+        let external = self.memory.work.external;
+        let mut point = turn.undo(free - zero) - self.ngc.shift;
+        for axis in axes.iter() {
+            point[axis] = given(axis).unwrap_or(point[axis]);
+        }
+        let moved = free - external - turn.apply(point + self.ngc.shift);
+        let turns_both = |axis| matches!(axis, Axis::X | Axis::Y) && turn.degrees != 0.0;
+        let names_both = axes.contains(Axis::X) || axes.contains(Axis::Y);
+        let mut found = zero - external;
+        for axis in Axis::ALL {
+            if axes.contains(axis) || names_both && turns_both(axis) {
+                found[axis] = moved[axis];
+            }
+        }
+        found
+    }
+
+    /// Touch off, as G10 L20 does it: the zero of a system with which the axes, at the machine position `free` of tool length, have
+    /// these coordinates. None in another language, or of a system that this one has not.
+    pub fn touched_off(
+        &self,
+        system: WorkOffset,
+        free: Position,
+        coordinates: &[(Axis, f64)],
+    ) -> Option<Position> {
+        let number = (1..=SYSTEMS).find(|number| system_name(*number) == system)?;
+        self.dialect.blocks?;
+        let axes = coordinates.iter().map(|(axis, _)| *axis).collect();
+        let given = |axis| coordinates.iter().find(|(of, _)| *of == axis).map(|(_, value)| *value);
+        Some(self.ngc_zero_by_position(number, free, axes, given))
     }
 
     /// G10 L1, L10 and L11: length, radius and angles of a tool.
