@@ -407,6 +407,8 @@ pub struct Rules {
     pub length_not_with: &'static [(u16, Fault)],
     /// An address twice in a block, or two codes of one group, is an alarm; else the last counts.
     pub repeats_are_alarms: bool,
+    /// I, J and K may stand ten times behind G65: Fanuc's second way of arguments.
+    pub arguments_in_sets: bool,
     /// G90 and G91 in one block are an alarm.
     pub distance_is_exclusive: bool,
     /// N beside G10, or among the parameters that it sets, is the number of one and none of the block.
@@ -541,6 +543,7 @@ impl Default for Rules {
             h00_waits: false,
             length_not_with: &[],
             repeats_are_alarms: false,
+            arguments_in_sets: false,
             distance_is_exclusive: true,
             data_has_number: false,
             sequence_takes_expression: false,

@@ -539,6 +539,7 @@ impl Interpreter {
         let mut program = None;
         let mut times = 1.0;
         let mut arguments: Vec<(u32, f64)> = Vec::with_capacity(26);
+        let mut sets = (0, b'A');
         let call = f64::from(self.dialect.macro_call) / 10.0;
         let mut called = false;
         for word in page.words(block) {
@@ -562,7 +563,11 @@ impl Interpreter {
                     }
                 }
                 letter => {
-                    let Some(number) = (self.dialect.argument)(letter) else {
+                    let number = match letter {
+                        b'I'..=b'K' if self.rules.arguments_in_sets => argument_of_set(letter, &mut sets),
+                        _ => (self.dialect.argument)(letter),
+                    };
+                    let Some(number) = number else {
                         return Err(self.alarm(Fault::ArgumentAddress, word_span));
                     };
                     if arguments.iter().any(|(n, _)| *n == number) && self.rules.repeats_are_alarms {
@@ -595,4 +600,13 @@ impl Interpreter {
             self.location.take_machine();
         }
     }
+}
+
+/// The local variable of I, J or K where they may stand ten times behind G65 (Fanuc 0i-M): one that does not follow in the alphabet
+/// begins the next set of three. `sets` is the number of sets before this one, and the letter before.
+fn argument_of_set(letter: u8, sets: &mut (u32, u8)) -> Option<u32> {
+    let (before, last) = *sets;
+    let before = before + u32::from(letter <= last);
+    *sets = (before, letter);
+    (before < 10).then_some(4 + 3 * before + u32::from(letter - b'I'))
 }

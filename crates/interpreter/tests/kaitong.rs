@@ -254,6 +254,27 @@ fn tool_length_belongs_to_the_axis_square_to_the_plane() {
     ]);
 }
 
+/// Fanuc 0i-M: I, J and K in up to ten sets; of #7 as D and as the second I the later one stands.
+#[test]
+fn a_macro_takes_centres_in_sets() {
+    let called = |words: &str, variables: &str| format!("G65 P9 {words}\nM30\nO9\nG0 {variables}\nM99");
+    let cases: [(&str, &str, &[&str]); 4] = [
+        (
+            "A1 I2 J3 K4 I5 K6 J7",
+            "X#4 Y#5 Z#6\nX#7 Y#11 Z#9",
+            &["rapid X2 Y3 Z4", "rapid X5 Y7 Z6", "end M30"],
+        ),
+        ("J1 I2", "X#5 Y#7", &["rapid X1 Y2", "end M30"]),
+        ("I1 I2 D3", "X#4 Y#7", &["rapid X1 Y3", "end M30"]),
+        ("I1I1I1I1I1I1I1I1I1I1", "X#31", &["rapid X1", "end M30"]),
+    ];
+    for (words, variables, expected) in cases {
+        assert_eq!(lines_on(&DIALECT, &called(words, variables), ""), expected, "{words}");
+    }
+    let (_, alarm) = run_on(&DIALECT, &called(&"I1".repeat(11), "X1"), "");
+    assert_eq!(alarm.map(|alarm| alarm.fault), Some(Fault::ArgumentAddress));
+}
+
 #[test]
 fn polar_coordinates_keep_the_pole_of_g16() {
     hold(&[

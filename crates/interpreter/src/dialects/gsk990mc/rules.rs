@@ -75,6 +75,8 @@ pub fn rules(parameters: &Parameters) -> Rules {
         h00_waits: true,
         length_not_with: &[],
         repeats_are_alarms: parameters.bit(32, 6),
+        // Table 4-9-2-5 note 1: each letter once.
+        arguments_in_sets: false,
         distance_is_exclusive: false,
         // 3.1.2 note.
         data_has_number: true,

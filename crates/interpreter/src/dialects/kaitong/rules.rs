@@ -40,6 +40,8 @@ pub fn rules(parameters: &Parameters) -> Rules {
         h00_waits: false,
         length_not_with: LENGTH_NOT_WITH,
         distance_is_exclusive: false,
+        // The appendices leave G65 to the main manual; Fanuc 0i-M.
+        arguments_in_sets: true,
         m_codes_in_block: 3,
         max_call_depth: 4,
         max_macro_depth: 4,
