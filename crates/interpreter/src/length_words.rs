@@ -14,6 +14,11 @@ impl Interpreter {
     /// (Kaitong appendix 8, note 2).
     pub(crate) fn length_code(&mut self, row: Option<&'static GCode>, codes: &mut Codes) -> Fallible<()> {
         if self.rules.cycles.length_at_start_only && self.cycle.is_active() {
+            if row.is_some() || self.words.has(b'H') {
+                let code = self.words.g.iter().find(|code| code.row.group == Group::Length);
+                let span = code.map_or_else(|| self.words.span(b'H'), |code| code.span);
+                self.tell(*self.alarm(Fault::LengthInCycle, span));
+            }
             self.words.take(b'H');
             return Ok(());
         }

@@ -275,6 +275,16 @@ fn a_macro_takes_centres_in_sets() {
     assert_eq!(alarm.map(|alarm| alarm.fault), Some(Fault::ArgumentAddress));
 }
 
+/// Appendix 8, note 2: what a cycle leaves aside is told.
+#[test]
+fn a_check_tells_of_a_tool_length_that_a_cycle_leaves_as_it_is() {
+    let program = "G99 G43 H1 G81 X5 R1 Z-4 F50\nG43 H2\nX6 H2\nX7 G49\nX8\nG80 G49\nG43 H2\nM30";
+    let told = told_on(&DIALECT, program, "[tools.2]\nlength = 5.0").into_iter();
+    let told: Vec<_> = told.map(|a| (a.fault, a.span.line, at_fault(program, &a).to_owned())).collect();
+    let of = |line, word: &str| (Fault::LengthInCycle, line, word.to_owned());
+    assert_eq!(told, [of(2, "G43"), of(3, "H2"), of(4, "G49")]);
+}
+
 #[test]
 fn polar_coordinates_keep_the_pole_of_g16() {
     hold(&[

@@ -272,6 +272,8 @@ faults! {
     SignalBefore = 451,
     /// A return from a reference point through an intermediate point that was never given.
     IntermediateMissing = 452,
+    /// A tool length that changes where a canned cycle leaves it as it is.
+    LengthInCycle = 453,
     /// Cutter compensation: the entry move is not longer than the tool radius.
     CutterEntryTooShort = 470,
     /// Cutter compensation: the tool does not fit into an arc.

@@ -462,6 +462,9 @@ FC-0442 = Length compensation in the block of a code that does not allow it
     .detail = { $word }
     .help = Put the length compensation into a block of its own.
 
+FC-0453 = The tool length stays as it is: a canned cycle is in force
+    .help = End the cycle with G80 before the tool length changes, or program the length in the block that starts the cycle.
+
 FC-0443 = Scaling is set while cutter compensation is in force
     .help = Program the scaling before G41 or G42, or cancel with G40 first.
 

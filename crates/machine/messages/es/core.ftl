@@ -462,6 +462,9 @@ FC-0442 = Compensación de longitud en el bloque de un código que no la admite
     .detail = { $word }
     .help = Ponga la compensación de longitud en un bloque propio.
 
+FC-0453 = La longitud de herramienta no cambia: hay un ciclo fijo activo
+    .help = Termine el ciclo con G80 antes de cambiar la longitud de herramienta o prográmela en el bloque que inicia el ciclo.
+
 FC-0443 = Se activa el escalado con compensación de radio activa
     .help = Programe el escalado antes de G41 o G42, o anule antes con G40.
 

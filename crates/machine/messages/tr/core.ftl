@@ -462,6 +462,9 @@ FC-0442 = Boy telafisi, buna izin vermeyen bir kodun bloğunda
     .detail = { $word }
     .help = Boy telafisini ayrı bir bloğa yazın.
 
+FC-0453 = Takım boyu değişmiyor: bir çevrim etkin
+    .help = Takım boyu değişmeden önce çevrimi G80 ile bitirin ya da boyu çevrimi başlatan blokta programlayın.
+
 FC-0443 = Yarıçap telafisi etkinken ölçekleme kuruluyor
     .help = Ölçeklemeyi G41 ya da G42'den önce programlayın ya da önce telafiyi G40 ile iptal edin.
 
