@@ -184,20 +184,24 @@ impl Interpreter {
         Ok(())
     }
 
-    /// Behind G68 the tool is not on the turned shape yet. A block that names no axis of the plane moves none of them, as on a Fanuc:
-    /// a plunge goes straight down where the tool stands.
-    pub(crate) fn stay_in_rotated_plane(&mut self, axes: AxisSet) {
-        let Some(Rotation { plane, .. }) = self.location.rotation else { return };
-        let own = [plane.first(), plane.second()];
-        let acts = !axes.is_empty() || self.cycle_kind().is_some() || self.words.has(b'H');
-        if !acts || own.iter().any(|axis| axes.contains(*axis)) {
+    /// Behind G51 or G68 the tool is not on the changed shape yet. A block that names no axis of the plane moves none of them, as on a
+    /// Fanuc: a plunge, and a tool length that comes or goes, lead straight along the tool axis. Nor does that axis move unnamed.
+    pub(crate) fn stay_where_not_named(&mut self, axes: AxisSet, length_changes: bool) {
+        let plane = match (self.location.rotation, self.location.scaling) {
+            (Some(rotation), _) => rotation.plane,
+            (None, Some(_)) => self.modal.plane(),
+            (None, None) => return,
+        };
+        let acts = !axes.is_empty() || length_changes || self.cycle_kind().is_some() || self.words.has(b'H');
+        if !acts {
             return;
         }
-        let (aimed, mut here) = (self.location.machine_of(self.location.programmed), self.location);
-        if own.iter().any(|axis| (aimed[*axis] - here.machine[*axis]).abs() > SAME_POINT_MM) {
-            here.take_machine();
-            for axis in own {
-                self.location.programmed[axis] = here.programmed[axis];
+        let (aimed, here) = (self.location.machine_of(self.location.programmed), self.location.machine);
+        for together in [&[plane.first(), plane.second()][..], &[plane.normal()]] {
+            let is_named = together.iter().any(|axis| axes.contains(*axis));
+            let is_off = together.iter().any(|axis| (aimed[*axis] - here[*axis]).abs() > SAME_POINT_MM);
+            if is_off && !is_named {
+                self.location.take_machine_of(together);
             }
         }
     }
@@ -434,7 +438,7 @@ impl Interpreter {
             if *z != 1.0 {
                 self.cycle.z_factor = Some(*z);
                 *z = 1.0;
-                self.location.take_machine();
+                self.location.take_machine_of(&[Axis::Z]);
             }
         }
     }
@@ -446,7 +450,7 @@ impl Interpreter {
         {
             let [.., z] = &mut scaling.factors;
             *z = factor;
-            self.location.take_machine();
+            self.location.take_machine_of(&[Axis::Z]);
         }
     }
 

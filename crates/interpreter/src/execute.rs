@@ -419,7 +419,7 @@ impl Interpreter {
 
     /// What the words of axes are there for: a cycle, or a move.
     fn axes_of_block(&mut self, axes: AxisSet, length: Option<Meaning>) -> Fallible<()> {
-        self.stay_in_rotated_plane(axes);
+        self.stay_where_not_named(axes, length.is_some());
         if self.is_zone_block() {
             return self.zone_block(axes);
         }

@@ -179,6 +179,15 @@ impl Location {
         }
         self.programmed = point;
     }
+
+    /// As [`take_machine`](Self::take_machine), of some axes alone.
+    pub fn take_machine_of(&mut self, axes: &[Axis]) {
+        let mut here = *self;
+        here.take_machine();
+        for axis in axes {
+            self.programmed[*axis] = here.programmed[*axis];
+        }
+    }
 }
 
 /// F, S and T words in force.

@@ -349,6 +349,11 @@ fn a_plunge_behind_g68_goes_straight_down() {
             &["rapid X10 Z20", "rapid Z24", "end M30"],
         ),
         (
+            "G0 X10 Z20\nG43 H1\nG68 X0 Y0 R90\nG49\nM30",
+            "[tools.1]\nlength = 4",
+            &["rapid X10 Z20", "rapid Z24", "rapid Z20", "end M30"],
+        ),
+        (
             "G0 X10 Z20\nG68 X0 Y0 R90\nM3 S100\nG99 G81 R2 Z-5 F50\nG80\nM30",
             "",
             &[

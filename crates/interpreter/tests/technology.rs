@@ -223,6 +223,36 @@ fn a_mirror_turns_rotation_and_compensation_round() {
     );
 }
 
+/// Behind G51 the tool is not on the scaled shape yet: what names no axis of the plane moves none of it, and the tool axis moves
+/// where it is named (Fanuc).
+#[test]
+fn a_plunge_behind_g51_goes_straight_down() {
+    let setup = "[tools.1]\nlength = 4\n[parameters]\n\"NO60.5\" = 1\n\"NO47.6\" = 1";
+    let there = "G0 X60 Y60 Z20";
+    let trace = |program: &str, more: &[&str]| {
+        let mut wanted = vec!["rapid X60 Y60 Z20"];
+        wanted.extend(more);
+        holds_with(setup, &format!("{there}\n{program}"), &wanted);
+    };
+    trace("G51 X50 Y50 I-1 J1\nG0 Z5\nX60 Y60", &["rapid Z5", "rapid X40"]);
+    trace("G51 X50 Y50 I-1 J1\nG91 G0 Z-5\nG90 X70 Y60", &["rapid Z15", "rapid X30"]);
+    trace("G51 X0 Y0 Z0 I2 J2 K2\nG0 X10 Y10\nZ5", &["rapid X20 Y20", "rapid Z10"]);
+    trace("G43 H1\nG51 X50 Y50 Z0 I-1 J1 K2\nG49\nG0 X60 Y60", &["rapid Z24", "rapid Z20", "rapid X40"]);
+}
+
+/// GSK990MC 4.2.14 limit 1: the factor of the tool axis bears on nothing of a cycle, so neither on where its first hole is.
+#[test]
+fn a_scaled_tool_axis_leaves_the_first_hole_in_its_place() {
+    let setup = "[parameters]\n\"NO60.5\" = 1\n\"NO47.6\" = 1";
+    for k in [1, 2] {
+        holds_with(
+            setup,
+            &format!("S100\nG0 X10 Y10 Z10\nG51 X0 Y0 Z0 I2 J2 K{k}\nG99 G81 X20 R2 Z-5 F100"),
+            &["rapid X10 Y10 Z10", "rapid X40 Y20", "rapid Z2", "feed Z-5 F100", "rapid Z2"],
+        );
+    }
+}
+
 /// GSK990MC 4.2.14, 3: 47#3 to 47#5, whether the first, second and third axis is scaled, by P and by I, J, K.
 #[test]
 fn each_axis_is_scaled_where_its_bit_says() {
