@@ -400,12 +400,13 @@ impl Interpreter {
     }
 
     /// G53 (GSK990MC 4.2.10): rapid to a machine position, tool length left aside. With G91 the block
-    /// does nothing, as on Fanuc.
+    /// does nothing, as on Fanuc, and a check tells so.
     pub(crate) fn machine_position(&mut self, axes: AxisSet) -> Fallible<()> {
         if self.rules.coordinates.machine_position_by_motion {
             return self.machine_move(axes);
         }
         if self.modal.is_incremental() {
+            self.tell_unused(axes.iter().map(|axis| axis.letter() as u8));
             return Ok(());
         }
         let machine = self.location.machine;

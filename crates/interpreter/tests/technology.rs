@@ -74,6 +74,14 @@ fn a_unit_beside_other_words_is_told() {
 }
 
 #[test]
+fn a_machine_position_with_g91_is_told() {
+    // 4.2.10: the block is ignored.
+    let unused = |word: &str| (AlarmId::Core(Fault::WordUnused), word.to_owned());
+    assert_eq!(told("G91 G53 Y1 Z-5\nM30\n", ""), [unused("Y1"), unused("Z-5")]);
+    assert_eq!(told("G91 X1\nG90 G53 Z-5\nM30\n", ""), []);
+}
+
+#[test]
 fn rotary_axes_have_no_inch() {
     // 0#2: degrees a minute where nothing but a rotary axis moves, whatever the unit of the lengths is.
     holds(&[
