@@ -145,8 +145,9 @@ impl Reader<'_> {
                 Ok(())
             }
             b"IN" | b"DF" => {
-                // Both set the plotter back: points are absolute, and IN raises the pen.
+                // Both set the plotter back: points are absolute, labels end as they did, and IN raises the pen.
                 self.is_relative = false;
+                self.label_end = LABEL_END;
                 if name == b"IN" && self.is_down {
                     self.raise(span)?;
                 }
@@ -629,6 +630,11 @@ mod tests {
         // IN: absolute again, and with the pen up.
         let moves = actions("PU0,0;PD40,0;PR;PD40,0;IN;PA400,400;");
         assert_eq!(moves[moves.len() - 2..], [Raise, Travel([10.0, 10.0])]);
+        // IN and DF set back what DT says, and the text ends before the line.
+        for set_back in ["IN", "DF"] {
+            let moves = actions(&format!("DT#;{set_back};LBtext\x03PU0,0;PD40,0;"));
+            assert_eq!(moves.last(), Some(&Cut(Curve::line([0.0, 0.0], [1.0, 0.0]))), "{set_back}");
+        }
     }
 
     #[test]
