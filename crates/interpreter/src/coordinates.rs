@@ -265,12 +265,12 @@ impl Interpreter {
     pub(crate) fn p_is_taken(&self, by: Meaning) -> bool {
         let takes = |meaning| {
             use Meaning::{Call, Cycle, Dwell, FurtherReferenceReturn, Pattern, ScalingOn};
-            use Meaning::{SetToolLength, SetWorkZero, SurfaceSpeed, WaitForInput};
+            use Meaning::{SetToolLength, SetWorkZero, SurfaceSpeed};
             meaning != by
                 && match meaning {
                     Cycle(kind) => kind.takes_p(),
                     Dwell | FurtherReferenceReturn | ScalingOn | SurfaceSpeed => true,
-                    Call | Pattern(_) | SetToolLength | SetWorkZero | WaitForInput => true,
+                    Call | Pattern(_) | SetToolLength | SetWorkZero => true,
                     _ => false,
                 }
         };

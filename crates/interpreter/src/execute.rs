@@ -467,6 +467,7 @@ impl Interpreter {
                 // G11 has done what it does ([`Self::block_of_words`]), and has no words of its own.
                 Group::NonModal if matches!(row.meaning, Meaning::NoEffect | Meaning::DataSettingOff) => {}
                 Group::NonModal if row.meaning == Meaning::EncoderLatch => self.encoder_latch(span),
+                Group::NonModal if row.meaning == Meaning::WaitForInput => self.wait_for_input(span)?,
                 Group::NonModal if row.meaning == Meaning::ShortestWay => codes.rotary.shortest = true,
                 Group::NonModal if row.meaning == Meaning::InDegrees => codes.rotary.degrees = true,
                 Group::NonModal => codes.non_modal = Some(code),

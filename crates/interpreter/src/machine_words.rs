@@ -125,11 +125,15 @@ impl Interpreter {
         Box::new(self.alarm(Fault::WordMissing, span).with("word", name))
     }
 
-    /// The LEVEL of an input or output: 0 or 1 (Weihong 4.4).
-    fn level(&self, span: Span) -> Fallible<Option<f64>> {
-        let level = self.words.long(long::LEVEL);
-        if level.is_some_and(|level| level != 0.0 && level != 1.0) {
-            let alarm = self.alarm(Fault::WordOutOfRange, span).with("word", "LEVEL");
+    /// The level of an input or output in a word of several letters: 0 or 1 (Weihong 4.4).
+    fn level(&self, letter: u8, name: &str) -> Fallible<Option<f64>> {
+        let level = self.words.long(letter);
+        level.map(|level| self.checked_level(level, name, self.words.long_span(letter))).transpose()
+    }
+
+    fn checked_level(&self, level: f64, name: &str, span: Span) -> Fallible<f64> {
+        if level != 0.0 && level != 1.0 {
+            let alarm = self.alarm(Fault::WordOutOfRange, span).with("word", name);
             return Err(Box::new(alarm.with("min", 0.0).with("max", 1.0)));
         }
         Ok(level)
@@ -142,8 +146,11 @@ impl Interpreter {
         let Some((address, number)) = self.port(long::PLC).or(old) else {
             return Err(self.missing("PLC", span));
         };
-        let old_level = self.words.take(b'P');
-        let Some(value) = self.level(span)?.or(old_level) else { return Err(self.missing("LEVEL", span)) };
+        let at = self.words.span(b'P');
+        let old_level = self.words.take(b'P').map(|p| self.checked_level(p, "P", at)).transpose()?;
+        let Some(value) = self.level(long::LEVEL, "LEVEL")?.or(old_level) else {
+            return Err(self.missing("LEVEL", span));
+        };
         if let Some(port) = number.and_then(whole_port) {
             self.outputs.insert(port, value);
         }
@@ -165,12 +172,17 @@ impl Interpreter {
     }
 
     /// G906: motion comes to rest; with PLC the control then waits for an input, P ms at most. At a desk an
-    /// input that nobody simulates is taken to come.
+    /// input that nobody simulates is taken to come. What else the block has comes afterwards (4.4).
     pub(crate) fn wait_for_input(&mut self, span: Span) -> Fallible<()> {
         self.emit_barrier()?;
-        let Some((address, number)) = self.port(long::PLC) else { return Ok(()) };
-        let Some(value) = self.level(span)? else { return Err(self.missing("LEVEL", span)) };
-        let timeout = self.words.get(b'P').map(|p| p.max(0.0) * self.rules.dwell_p_unit_s);
+        let level = self.level(long::LEVEL, "LEVEL")?;
+        let Some((address, number)) = self.port(long::PLC) else {
+            // A level without its input: nothing would be waited for.
+            return if level.is_some() { Err(self.missing("PLC", span)) } else { Ok(()) };
+        };
+        let Some(value) = level else { return Err(self.missing("LEVEL", span)) };
+        // It is no word for the rest of the block.
+        let timeout = self.words.take(b'P').map(|p| p.max(0.0) * self.rules.dwell_p_unit_s);
         self.emit(Op::Wait {
             port: Port::Named(address.into()),
             value,
@@ -219,7 +231,8 @@ impl Interpreter {
                 // It would never come.
                 return Err(self.alarm(Fault::InputMissing, span));
             }
-            let signal = Signal { port, is_off: self.words.long(level) == Some(0.0) };
+            let name = format!("L{}", axis.letter());
+            let signal = Signal { port, is_off: self.level(level, &name)? == Some(0.0) };
             moves.push((axis, speed, distance, signal));
         }
         if moves.is_empty() {

@@ -85,7 +85,6 @@ impl Interpreter {
             | Meaning::ProfileEntry
             | Meaning::ProfileExit => Err(self.alarm(Fault::ProfileForm, span)),
             Meaning::MoveUntilInput => self.move_until_input(span),
-            Meaning::WaitForInput => self.wait_for_input(span),
             Meaning::Undescribed => Err(self.alarm(Fault::NotSupported, span)),
             Meaning::ReferenceCheck => self.reference_check(axes),
             Meaning::ReferenceReturn => self.reference_return(axes, 1),

@@ -304,10 +304,17 @@ impl Words {
         self.m.iter().any(|m| m.row.function == MFunction::Call)
     }
 
-    /// Whether a code of the block takes the place of the motion in force. G11 only ends G10 (GSK990MC 4.1 note 3).
+    /// Whether a code of the block takes the place of the motion in force. G11 only ends G10 (GSK990MC 4.1 note 3); what
+    /// Weihong has for the block's motion stands beside it (4.4).
     pub(crate) fn stands_for_motion(&self) -> bool {
-        let stands = |row: &GCode| row.group == Group::NonModal && row.meaning != Meaning::DataSettingOff;
-        self.g.iter().any(|g| stands(g.row))
+        use Meaning::{
+            DataSettingOff, EncoderLatch, FullFeed, InDegrees, NoEffect, ShortestWay, WaitForInput,
+        };
+        let stands_beside = |row: &GCode| {
+            matches!(row.meaning, DataSettingOff | EncoderLatch | FullFeed | InDegrees)
+                || matches!(row.meaning, NoEffect | ShortestWay | WaitForInput)
+        };
+        self.g.iter().any(|g| g.row.group == Group::NonModal && !stands_beside(g.row))
     }
 
     /// The axes whose addresses the block has.

@@ -117,7 +117,7 @@ fn positioning_moves_z_apart_and_has_a_speed_of_its_own() {
             &["feed X1 Y2 F90", "rapid X2", "end M30"],
         ),
     ]);
-    let (steps, alarm) = run_on(&DIALECT, "X1\nF3000\nG00 X2 F2000\nX3\nX4 F1500\nM30", "");
+    let (steps, alarm) = run_on(&DIALECT, "X1\nF3000\nG00 X2 F2000\nX3\nG903 X4 F1500\nM30", "");
     assert_eq!(alarm, None);
     let speed = |op: &Op| if let Op::Rapid { speed, .. } = op { Some(*speed) } else { None };
     let speeds: Vec<_> = steps.iter().filter_map(|step| speed(&step.op)).collect();
@@ -371,6 +371,17 @@ fn inputs_and_outputs() {
             "M801 MSG\"|D|wait\"\nM801 \u{201c}Hello\u{201d}\nM801\nM30",
             "",
             &["message |D|wait", "message Hello", "end M30"],
+        ),
+        // 4.4: it brings to rest, and then comes what else the block has, whichever of them stands first.
+        (
+            "G906 G01 X5 F60\nG65 P1 G906\nG921 X0 G906\nX1\nG906 PLC[7] LEVEL1 P20 G4 X2\nM30\nO1\nY3\nM17",
+            "",
+            &["feed X5 F60", "feed Y3 F60", "feed X6 F60", "wait 7 1 0.02s", "dwell 2s", "end M30"],
+        ),
+        (
+            "G906 G81 X1 R2 Z0 F9\nM30",
+            "[start]\nz = 5.0",
+            &["rapid X1", "rapid Z2", "feed Z0 F9", "rapid Z5", "end M30"],
         ),
         // An input that nobody simulates is taken to come.
         ("G906 PLC[7] LEVEL1 P500\nG906 PLC=7 LEVEL1\nM30", "", &["wait 7 1 0.5s", "wait 7 1", "end M30"]),
@@ -644,8 +655,13 @@ fn programs_break_rules() {
         ("G81 R1 Z0 F9 K0\nG35 X1 I1 J0 K-2\nM30", "", Fault::WordOutOfRange, "K-2"),
         ("G81 R1 Z0 F9 K0\nG37 X1 I1 J1 K2\nM30", "", Fault::WordMissing, "G37"),
         ("G81 R1 Z0 F9 K0\nG34 X1 K10000\nM30", "", Fault::WordOutOfRange, "K10000"),
-        ("M901 PLC[04] LEVEL7\nM30", "", Fault::WordOutOfRange, "M901"),
-        ("G906 PLC[04] LEVEL2 P10\nM30", "", Fault::WordOutOfRange, "G906"),
+        // 4.4: a level is 0 or 1.
+        ("M901 PLC[04] LEVEL7\nM30", "", Fault::WordOutOfRange, "LEVEL7"),
+        ("M901 H2 P5\nM30", "", Fault::WordOutOfRange, "P5"),
+        ("G906 PLC[04] LEVEL2 P10\nM30", "", Fault::WordOutOfRange, "LEVEL2"),
+        ("G904 FZ-10 PZ1 LZ2 Z-5\nM30", "", Fault::WordOutOfRange, "LZ2"),
+        // A level without the input: it would not be waited for.
+        ("G906 LEVEL1\nM30", "", Fault::WordMissing, "G906"),
         ("G51 Z0 P2\nG81 R1 Z0 F9\nM30", "", Fault::CycleScaled, "G81"),
         ("G51 X0 P0\nM30", "", Fault::ScaleFactor, "P0"),
         ("G51 X0 I100\nM30", "", Fault::ScaleFactor, "I100"),
