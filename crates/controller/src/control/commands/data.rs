@@ -117,9 +117,8 @@ impl Control {
         Ok((name, self.zero_asked(name).ok_or_else(missing)?))
     }
 
-    /// The axis at rest has this coordinate in the system, other shifts aside, but in RS274/NGC, which has its own touch off; or the
-    /// value is `typed` as the page of the
-    /// zeros takes it: X10 is the machine coordinate + 10 (3.4.2), with 10#5 it is taken off.
+    /// The axis at rest has this coordinate in the system, other shifts aside, but in RS274/NGC, which has its own touch off. Or the
+    /// value is `typed` as the page of the zeros takes it: X10 is the machine coordinate + 10 (3.4.2), with 10#5 it is taken off.
     pub(super) fn zero_here(&mut self, system: &str, axes: &ByAxis, typed: bool, author: &Author) -> Answer {
         if self.tick.moving {
             return Err(Box::new(alarm(Fault::ControlBusy)));
@@ -146,8 +145,13 @@ impl Control {
             coordinates.push((self.axis_named(*letter)?, *value));
         }
         let free = self.tick.position - self.cnc.tool_length();
-        let zero = self.cnc.interpreter().touched_off(name, free, &coordinates);
-        Ok(zero.map(|zero| self.by_axis(zero)))
+        let interpreter = self.cnc.interpreter();
+        let before = interpreter.memory().work.get(name).unwrap_or_default();
+        let Some(zero) = interpreter.touched_off(name, free, &coordinates) else { return Ok(None) };
+        // What is not named and stays may be on its way to another value.
+        let sets = |axis: Axis| axes.contains_key(&axis.letter()) || zero[axis] != before[axis];
+        let own = self.machine.axes.iter().map(|axis| axis.name).filter(|axis| sets(*axis));
+        Ok(Some(own.map(|axis| (axis.letter(), zero[axis])).collect()))
     }
 
     /// Machine positions of a zero, as the zero of a system that the external one is added to.

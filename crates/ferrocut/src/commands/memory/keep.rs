@@ -15,7 +15,7 @@ use ferrocut_memory::{Backup, Error, Level, OpenError, Reader, Seat, Settings, S
 use ferrocut_program::Span;
 use serde_json::json;
 use std::fs::File;
-use std::io::{self, BufRead, BufReader, Read, Write};
+use std::io::{self, BufRead, Read, Write};
 use std::path::Path;
 
 /// Longest line that is read as a password, bytes.

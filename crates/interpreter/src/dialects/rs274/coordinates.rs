@@ -28,9 +28,14 @@ pub(crate) fn system_name(number: u8) -> WorkOffset {
 }
 
 impl Interpreter {
+    /// Zero of a coordinate system, the external one left aside.
+    fn ngc_own_zero_of(&self, number: u8) -> Position {
+        self.memory.work.get(system_name(number)).unwrap_or_default()
+    }
+
     /// Zero and turn of a coordinate system.
     pub(super) fn ngc_zero_of(&self, number: u8) -> (Position, Turned) {
-        let zero = self.memory.work.get(system_name(number)).unwrap_or_default();
+        let zero = self.ngc_own_zero_of(number);
         let external = self.memory.work.external;
         let degrees = self.memory.variables.get(turn_of_system(number)).unwrap_or(0.0);
         (zero + external, Turned::by(degrees))
@@ -230,8 +235,8 @@ impl Interpreter {
             return Err(self.ngc_alarm(Fault::WorkOffsetInCutter));
         }
         let external = self.memory.work.external;
-        let (zero, mut turn) = self.ngc_zero_of(number);
-        let mut zero = zero - external;
+        let mut zero = self.ngc_own_zero_of(number);
+        let (_, mut turn) = self.ngc_zero_of(number);
         let axes = self.words.axes(self.rules.axes);
         if by_position {
             let free = self.location.machine - self.ngc.length;
@@ -274,7 +279,7 @@ impl Interpreter {
         let moved = free - external - turn.apply(point + self.ngc.shift);
         let turns_both = |axis| matches!(axis, Axis::X | Axis::Y) && turn.degrees != 0.0;
         let names_both = axes.contains(Axis::X) || axes.contains(Axis::Y);
-        let mut found = zero - external;
+        let mut found = self.ngc_own_zero_of(number);
         for axis in Axis::ALL {
             if axes.contains(axis) || names_both && turns_both(axis) {
                 found[axis] = moved[axis];
