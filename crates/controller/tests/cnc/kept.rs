@@ -146,8 +146,10 @@ fn systems_of_rs274_are_kept_with_their_turns_and_the_one_in_force() {
     assert_eq!((variable(&shop, 5250), variable(&shop, 600)), (Some(45.0), Some(7.0)));
     let status = shop.wait(1);
     assert_eq!(status.position.system.as_deref(), Some("G55"));
-    let zero = |axis| status.position.machine[&axis] - status.position.work[&axis];
-    assert_eq!((zero('X'), zero('Y')), (10.0, 0.0));
+    let [work, machine] = [&status.position.work, &status.position.machine].map(|at| [at[&'X'], at[&'Y']]);
+    let turned = [work[0] - work[1], work[0] + work[1]].map(|at| at * 0.5_f64.sqrt());
+    let off = [machine[0] - turned[0] - 10.0, machine[1] - turned[1]];
+    assert!(off.iter().all(|off| off.abs() < 1e-9), "{work:?} {machine:?}");
     mdi(&mut shop, "G59.1 G0 X0");
     assert_eq!(shop.wait(1).position.system.as_deref(), Some("G54 P1"));
 }
