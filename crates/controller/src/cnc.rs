@@ -45,7 +45,6 @@ use crate::spindle::Spindle;
 use crate::supervision::Supervisor;
 use awaited_input::AwaitedInput;
 use block_end::{Block, Blocks};
-use ferrocut_geometry::vector::turned;
 use ferrocut_geometry::{Axis, AxisSet, Position};
 use ferrocut_interpreter::{AtRest, Interpreter, Shown};
 use ferrocut_machine::config::SpindleConfig;
@@ -412,12 +411,8 @@ impl Cnc {
 
     /// A machine position in the work coordinate system of the move being run: the tip of the tool.
     pub fn in_work(&self, machine: Position) -> Position {
-        let Frame { zero, turn, .. } = self.frame();
-        let mut at = machine - zero;
-        if turn != 0.0 {
-            [at[Axis::X], at[Axis::Y]] = turned([at[Axis::X], at[Axis::Y]], -turn.to_radians());
-        }
-        at
+        let frame = self.frame();
+        frame.turn.undo(machine - frame.zero)
     }
 
     /// What tool length compensation adds for the move being run.

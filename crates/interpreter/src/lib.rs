@@ -52,6 +52,7 @@ pub mod words;
 
 pub use barrier::AtRest;
 pub use dialect::{Dialect, Rules};
+pub use dialects::rs274::Turned;
 pub use in_force::{InForce, Shown};
 pub use interpreter::{Interpreter, MachineCodes, Options};
 pub use macros::place_variables;

@@ -6,6 +6,7 @@
 use crate::barrier::Present;
 use crate::custom::CustomCodes;
 use crate::dialect::{MFunction, Meaning, Variable};
+use crate::dialects::rs274::Turned;
 use crate::flow::Flow;
 use crate::interpreter::Interpreter;
 use crate::modal::Group;
@@ -217,9 +218,9 @@ impl Interpreter {
         self.location.work.shift + self.location.length.vector
     }
 
-    /// How far the work coordinate system is turned about Z, degrees (RS274/NGC, R of G10 L2).
-    pub fn program_turn(&self) -> f64 {
-        self.ngc.turn.degrees
+    /// How the work coordinate system is turned (RS274/NGC, R of G10 L2).
+    pub fn program_turn(&self) -> Turned {
+        self.ngc.turn
     }
 
     /// What tool length compensation adds to positions.

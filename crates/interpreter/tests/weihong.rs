@@ -117,11 +117,11 @@ fn positioning_moves_z_apart_and_has_a_speed_of_its_own() {
             &["feed X1 Y2 F90", "rapid X2", "end M30"],
         ),
     ]);
-    let (steps, alarm) = run_on(&DIALECT, "X1\nF3000\nG00 X2 F2000\nX3\nG903 X4 F1500\nM30", "");
+    let (steps, alarm) = run_on(&DIALECT, "X1\nF3000\nG00 X2 F2000\nX3\nX4 F1500\nG903 X5 F1200\nM30", "");
     assert_eq!(alarm, None);
     let speed = |op: &Op| if let Op::Rapid { speed, .. } = op { Some(*speed) } else { None };
     let speeds: Vec<_> = steps.iter().filter_map(|step| speed(&step.op)).collect();
-    assert_eq!(speeds, [None, Some(2000.0), Some(2000.0), Some(1500.0)]);
+    assert_eq!(speeds, [None, Some(2000.0), Some(2000.0), Some(1500.0), Some(1200.0)]);
     let (steps, _) = run_on(&DIALECT, "G903 G905 G01 X1 F100\nX2\nM30", "");
     let full = |at: usize| matches!(steps[at].op, Op::Feed { path: PathMode::FullFeed, .. });
     assert!(full(0) && !full(1));

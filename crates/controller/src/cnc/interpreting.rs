@@ -20,7 +20,7 @@ use super::lent::Beside;
 use super::{Cnc, State};
 use crate::restart::Journal;
 use ferrocut_geometry::Position;
-use ferrocut_interpreter::{Interpreter, Shown};
+use ferrocut_interpreter::{Interpreter, Shown, Turned};
 use ferrocut_machine::{Alarm, Severity};
 use ferrocut_program::{FileId, Span};
 use ferrocut_toolpath::{Op, Step};
@@ -51,8 +51,8 @@ type Next = Option<Result<Step, Box<Alarm>>>;
 pub(super) struct Frame {
     /// Machine position of the program's zero, tool length included.
     pub zero: Position,
-    /// How far its coordinate system is turned about Z, degrees.
-    pub turn: f64,
+    /// How its coordinate system is turned.
+    pub turn: Turned,
     /// What of it is tool length.
     pub length: Position,
     /// Whether stored stroke check 2 holds (G12).

@@ -1309,8 +1309,7 @@ fn the_parameter_switch_lets_parameters_be_changed_and_is_an_alarm_meanwhile() {
     };
     assert_eq!(parameters["P86"], 800.0);
     // A control that has no such switch.
-    let machine = Machine { dialect: "rs274".into(), ..Machine::demo_mill() };
-    let mut shop = Shop::of(&machine, Parts::default());
+    let mut shop = Shop::in_language("rs274");
     shop.mode(Mode::Mdi);
     assert_eq!(shop.wait(1).switches.parameters, None);
     assert_eq!(shop.refused(turn(true)), "FC-1406");
@@ -1625,8 +1624,7 @@ fn every_field_of_the_status_is_described() {
 
 #[test]
 fn what_a_program_says_stands_in_the_status_until_nothing_runs() {
-    let machine = Machine { dialect: "rs274".into(), ..Machine::demo_mill() };
-    let mut shop = Shop::of(&machine, Parts::default());
+    let mut shop = Shop::in_language("rs274");
     shop.store("turned.ngc", "(MSG, TURN THE PART)\nM0\nG4 P0.2\nM2\n");
     shop.select("turned.ngc");
     shop.start();
@@ -1640,8 +1638,7 @@ fn what_a_program_says_stands_in_the_status_until_nothing_runs() {
 /// LinuxCNC, G10 L2: R turns the axes of the coordinate system about Z.
 #[test]
 fn positions_are_those_of_a_turned_coordinate_system() {
-    let machine = Machine { dialect: "rs274".into(), ..Machine::demo_mill() };
-    let mut shop = Shop::of(&machine, Parts::default());
+    let mut shop = Shop::in_language("rs274");
     shop.store("turned.ngc", "G10 L2 P1 X10 Y5 Z1 R90\nG0 X20 Y4 Z3\nM0\nG92 X0 Y0\nG0 X2 Y1\nM2\n");
     shop.select("turned.ngc");
     shop.start();

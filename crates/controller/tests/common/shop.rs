@@ -27,6 +27,11 @@ impl Shop {
         Shop::of(&machine, Parts::default())
     }
 
+    /// With a machine of another language.
+    pub fn in_language(dialect: &str) -> Shop {
+        Shop::of(&Machine { dialect: dialect.into(), ..Machine::demo_mill() }, Parts::default())
+    }
+
     /// With a machine and parts of its own.
     pub fn of(machine: &Machine, parts: Parts) -> Shop {
         let control = Control::new(machine, parts).unwrap();

@@ -34,6 +34,7 @@ mod tools;
 
 pub(crate) use coordinates::system_name;
 pub(crate) use state::State;
+pub use state::Turned;
 
 use crate::dialect::Dialect;
 use crate::dialects::fanuc;

@@ -70,7 +70,7 @@ pub(crate) struct State {
 
 /// A turn about Z.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub(crate) struct Turned {
+pub struct Turned {
     /// Counter-clockwise, degrees.
     pub degrees: f64,
     sin: f64,
