@@ -1,8 +1,8 @@
 //! What a servo period costs between path and drives: nine axes with acceleration after interpolation, backlash
 //! and pitch errors in both directions, and as many with nothing. Before that, the worst of a million whole periods
 //! (interpolation, compensation, supervision) of a demanding program, with overrides and holds at random, planning
-//! between them. Where `FERROCUT_PERIOD_US` is set it is the bound that 99.9 % of the periods are to keep below, µs, and
-//! nothing else is measured.
+//! between them; the least of three runs of each counts. Where `FERROCUT_PERIOD_US` is set it is the bound that 99.9 % of
+//! the periods are to keep below, µs, and nothing else is measured.
 
 #[path = "../tests/common/demanding.rs"]
 mod demanding;
@@ -34,17 +34,33 @@ fn main() -> ExitCode {
     ExitCode::SUCCESS
 }
 
-const WORST_OF: u32 = 1_000_000;
+const WORST_OF: usize = 1_000_000;
 
-/// Prints what the worst of many periods takes; what 99.9 % of them take at most, µs.
+/// A computer's clock alone interrupts a hundred or more periods a second, on some for longer than the period takes; hardly
+/// ever the same one three times.
+const RUNS: usize = 3;
+
+/// Prints what the worst of many periods takes, which are the same in each run; what 99.9 % of them take at most, µs.
 fn worst() -> f64 {
+    let mut least = vec![u64::MAX; WORST_OF];
+    let (mut work, mut planning, mut moving) = (Times::default(), Times::default(), 0);
+    for _ in 0..RUNS {
+        (planning, moving) = periods(&mut least);
+    }
+    least.iter().for_each(|ns| work.add(*ns));
+    println!("work of a period: {}, {moving} of them moving, the least of {RUNS} runs", work.text());
+    println!("planning:         {}", planning.text());
+    work.within(0.999)
+}
+
+/// Runs so many periods: what planning between them took, and how many moved. Keeps the least that each took, ns.
+fn periods(least: &mut [u64]) -> (Times, u32) {
     let machine = demanding::machine();
     let mut motion = Motion::new(&machine, Position::ZERO);
     let mut servo = Servo::new(&machine, Position::ZERO);
     let (mut blocks, mut hands) = (Blocks::new(1), Hands::new(2));
-    let (mut work, mut planning) = (Times::default(), Times::default());
-    let mut moving = 0u32;
-    for _ in 0..WORST_OF {
+    let (mut planning, mut moving) = (Times::default(), 0);
+    for least in least {
         while motion.free() > 0 {
             let Some(block) = blocks.next() else { continue };
             if motion.push(&block).is_err() {
@@ -64,12 +80,10 @@ fn worst() -> f64 {
         let setpoint = motion.step();
         let command = servo.tick(&setpoint.position, Kind::Cutting);
         divan::black_box(servo.supervise(&command.drive));
-        work.add(began.elapsed().as_nanos() as u64);
+        *least = (*least).min(began.elapsed().as_nanos() as u64);
         moving += u32::from(setpoint.velocity > 0.0);
     }
-    println!("work of a period: {}, {moving} of them moving", work.text());
-    println!("planning:         {}", planning.text());
-    work.within(0.999)
+    (planning, moving)
 }
 
 const PERIODS: u32 = 100_000;
