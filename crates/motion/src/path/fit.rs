@@ -93,7 +93,8 @@ struct Look<const N: usize> {
 /// What a span adds to the normal equations.
 #[derive(Clone, Copy, Debug)]
 struct Strip<const N: usize> {
-    /// Products of the weights of its control points, of which `j ≤ i` are used, and their right sides.
+    /// `gram[i][d]` is the sum of the products of the weights of its control points `i` and `i − d`, 0 where there is none;
+    /// and their right sides.
     gram: [[f64; BAND]; BAND],
     side: [[f64; N]; BAND],
     /// Weights of the control points in the third derivative.
@@ -421,7 +422,7 @@ impl<const N: usize> Fit<N> {
             let e1 = a1 - e2 * rows[0][1] - e3 * rows[0][2];
             let (l1, l2, l3) = (e1 * rows[0][0], e2 * rows[1][0], e3 * rows[2][0]);
             let d = a0 - e1 * l1 - e2 * l2 - e3 * l3;
-            let row = [d.max(f64::MIN_POSITIVE).recip(), l1, l2, l3];
+            let row = [larger(d, f64::MIN_POSITIVE).recip(), l1, l2, l3];
             for axis in 0..N {
                 side[axis] -= l1 * sides[0][axis] + l2 * sides[1][axis] + l3 * sides[2][axis];
             }
@@ -467,9 +468,12 @@ impl<const N: usize> Fit<N> {
         }
         // No place of a span moves further than the control point that moves the furthest.
         let spans = begin.saturating_sub(BAND - 1)..end.min(self.strips.len());
-        for (k, strip) in spans.clone().zip(&mut self.strips[spans.clone()]) {
-            let ways = (k.max(begin)..(k + BAND).min(end)).map(|i| self.ways[i]);
-            strip.room -= ways.fold(0.0, f64::max);
+        // Nothing else has moved.
+        self.ways[spans.start..begin].fill(0.0);
+        self.ways[end..total.min(end + BAND)].fill(0.0);
+        for (strip, ways) in self.strips[spans.clone()].iter_mut().zip(self.ways[spans.start..].windows(BAND))
+        {
+            strip.room -= ways.iter().fold(0.0, |most, way| larger(most, *way));
         }
         spans
     }
@@ -482,17 +486,17 @@ impl<const N: usize> Fit<N> {
         if !self.is_free[i] {
             return ([1.0, 0.0, 0.0, 0.0], side);
         }
-        for own in (0..BAND.min(i + 1)).rev() {
-            let Some(strip) = self.strips.get(i - own) else { continue };
-            for back in 0..=own {
-                row[back] += strip.gram[own][own - back];
+        for own in (0..BAND).rev() {
+            let Some(strip) = i.checked_sub(own).and_then(|k| self.strips.get(k)) else { continue };
+            for back in 0..BAND {
+                row[back] += strip.gram[own][back];
             }
             for axis in 0..N {
                 side[axis] += strip.side[own][axis];
             }
         }
-        for back in 1..BAND.min(i + 1) {
-            if !self.is_free[i - back] {
+        for back in 1..BAND {
+            if i.checked_sub(back).is_some_and(|k| !self.is_free[k]) {
                 row[back] = 0.0;
             }
         }
@@ -594,8 +598,8 @@ fn apart<const N: usize>(a: [f64; N], b: [f64; N]) -> [f64; N] {
 fn add(gram: &mut [[f64; BAND]; BAND], g: &[f64; BAND], weight: f64) {
     for i in 0..BAND {
         let share = weight * g[i];
-        for j in 0..=i {
-            gram[i][j] += share * g[j];
+        for back in 0..=i {
+            gram[i][back] += share * g[i - back];
         }
     }
 }

@@ -84,7 +84,7 @@ const CLOSE: Effort = Effort { tau: 0.004, gap: 2e-3, apart: 0.01 };
 
 /// The same where turns are few and it rests at neither end: a raster of long rows takes 0.06 % longer, and a tenth more of it is
 /// planned in a second.
-const ROUGH: Effort = Effort { tau: 0.006, gap: 8e-3, apart: 0.03 };
+const ROUGH: Effort = Effort { tau: 0.009, gap: 2e-2, apart: 0.03 };
 
 /// How far the path turns in a step at most, rad; where jerk is limited, it need not be shorter in time than so much for that, s,
 /// unless it turns as far as [`MOST_TURN`] then.

@@ -19,7 +19,7 @@ const MOST_PARTS: usize = 10;
 
 /// The same where turns are few among many lines, of which there are so many at least: a raster of long rows takes 0.3 % longer, and
 /// a quarter more of it is planned in a second.
-const SPLIT_OF_FEW: f64 = 0.5;
+const SPLIT_OF_FEW: f64 = 0.8;
 const MANY_LINES: usize = 128;
 
 /// Where less of the jerk is taken than this, there and near by, there is less to bend for: it may be so much longer, up to so many
