@@ -662,7 +662,7 @@ impl Assembler {
             let node = |u: f64, cubic: &Cubic| {
                 let (rates, stretch) = cubic.rates(span.share);
                 let stretch = stretch.max(LEAST_STRETCH);
-                let (most, highest) = (inverse.velocity(&rates), span.most / stretch);
+                let (most, highest) = (inverse.velocity(&rates.first), span.most / stretch);
                 Node {
                     s: u,
                     len: cubic.len,
@@ -810,7 +810,7 @@ impl Assembler {
             len: to - from,
             load: inverse.load(&rates),
             top: inverse.speed(&rates).min(most),
-            most: inverse.velocity(&rates).min(most),
+            most: inverse.velocity(&rates.first).min(most),
             feed,
             basis: basis(member, &rates),
             class: member.class,

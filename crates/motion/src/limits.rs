@@ -368,13 +368,13 @@ impl Inverse {
     }
 
     /// Highest speed along a piece by the velocity of the axes alone, mm/s.
-    pub fn velocity(&self, rates: &Rates) -> f64 {
-        peak(&rates.first, &self.velocity).max(LEAST_INVERSE[0]).recip()
+    pub fn velocity<const N: usize>(&self, d: &[f64; N]) -> f64 {
+        peak(d, &self.velocity).max(LEAST_INVERSE[0]).recip()
     }
 
     /// Highest speed along a piece, mm/s.
     pub fn speed(&self, rates: &Rates) -> f64 {
-        self.curve_speed(rates, self.velocity(rates))
+        self.curve_speed(rates, self.velocity(&rates.first))
     }
 
     /// The same, where `along` is that by the velocity of the axes alone.
@@ -412,7 +412,7 @@ impl Inverse {
     }
 
     /// What a straight piece in direction `d` leaves.
-    pub fn straight(&self, d: &[f64; AXES]) -> Drive {
+    pub fn straight<const N: usize>(&self, d: &[f64; N]) -> Drive {
         Drive {
             a: peak(d, &self.acceleration).max(self.along[0]).max(LEAST_INVERSE[1]).recip(),
             j: peak(d, &self.jerk).max(self.along[1]).max(LEAST_INVERSE[2]).recip(),

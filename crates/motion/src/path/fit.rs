@@ -217,7 +217,7 @@ impl<const N: usize> Fit<N> {
         let k = self.strips.len();
         let (first_third, first_bend) = (self.at_first(k, &third), self.at_first(k, &bend));
         let looks = [self.looks.len(); 2];
-        let mut strip = Strip {
+        self.strips.push(Strip {
             gram,
             side,
             third,
@@ -230,13 +230,15 @@ impl<const N: usize> Fit<N> {
             looks,
             is_pressed: false,
             room: 0.0,
-        };
-        strip.stiffen(stiff);
-        self.strips.push(strip);
+        });
+        if let Some(strip) = self.strips.last_mut() {
+            strip.stiffen(stiff);
+        }
         self.pace.stretches.push(stretch);
     }
 
     /// A place of the newest span that shall be within `limit` of `p`.
+    #[inline]
     pub fn look_at(&mut self, basis: [f64; BAND], weight: f64, p: [f64; N], limit: f64) {
         let Some(k) = self.strips.len().checked_sub(1) else { return };
         let p = apart(p, self.at_first(k, &basis));

@@ -1,10 +1,8 @@
 //! Control points: on the chords first, then where the fit is best.
 
 use super::{STANDING_CONTROLS, STANDING_KNOTS, Smoother, front};
-use crate::limits::Rates;
 use crate::path::fit::{BAND, Fit};
 use crate::path::pace::Stretch;
-use ferrocut_geometry::AXES;
 
 /// Weight of the ends of a run, against that of a place inside.
 const END_WEIGHT: f64 = 1e6;
@@ -19,7 +17,7 @@ const MOST_PARTS: usize = 10;
 
 /// The same where turns are few among many lines, of which there are so many at least: a raster of long rows takes 0.3 % longer, and
 /// a quarter more of it is planned in a second.
-const SPLIT_OF_FEW: f64 = 0.8;
+const SPLIT_OF_FEW: f64 = 0.5;
 const MANY_LINES: usize = 128;
 
 /// Where less of the jerk is taken than this, there and near by, there is less to bend for: it may be so much longer, up to so many
@@ -275,12 +273,9 @@ impl Smoother {
                 std::array::from_fn::<f64, N, _>(|i| a.p.0[i] + (b.p.0[i] - a.p.0[i]) * share)
             };
             let (from, to) = (on(line, begin), on(last, end));
-            let mut rates = Rates { first: [0.0; AXES], second: [0.0; AXES], third: [0.0; AXES] };
-            for i in 0..N {
-                rates.first[i] = (to[i] - from[i]) / len;
-            }
-            let top = self.points[last].pace().min(self.inverse.velocity(&rates));
-            let drive = self.soft.straight(&rates.first);
+            let direction: [f64; N] = std::array::from_fn(|i| (to[i] - from[i]) / len);
+            let top = self.points[last].pace().min(self.inverse.velocity(&direction));
+            let drive = self.soft.straight(&direction);
             let tolerance = self.points[line].tolerance.min(self.points[last].tolerance);
             let stretch = Stretch { drive, ..Stretch::free(len, top) };
             fit.add_span(self.bends(k), stiff, tolerance, stretch);
