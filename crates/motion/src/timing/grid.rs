@@ -32,9 +32,6 @@ use std::ops::Range;
 /// Length of steps in time, s.
 const TAU: f64 = 0.004;
 
-/// The same where turns are few among many lines: what is lost is found again in the valleys.
-const TAU_OF_FEW: f64 = 0.008;
-
 /// Cells that are run in so much less time are one step: where the path turns they are many, and what is lost by taking the
 /// lowest of their bounds is found again in the valley there ([`crate::timing::valley`]).
 const BRIEF: f64 = 1.5 * TAU;
@@ -406,7 +403,6 @@ impl Grid {
     fn place(&mut self, queue: &Queue, from: Port, first: u64, last: u64, cap: &impl Fn(&Node) -> f64) {
         self.steps.clear();
         self.is_cut = false;
-        let tau = if queue.node(first).turns_are_few { TAU_OF_FEW } else { TAU };
         let mut door = f64::INFINITY;
         let mut next = first;
         'cells: while next <= last {
@@ -470,7 +466,7 @@ impl Grid {
                     cell += 1;
                 }
                 let now = speed(s);
-                let mut h = (tau * now).max(least).min((self.to.s - from.s) / 4.0);
+                let mut h = (TAU * now).max(least).min((self.to.s - from.s) / 4.0);
                 if now >= here {
                     // Nothing changes for a while.
                     let begin = *top_begin.get_or_insert(s);
@@ -479,7 +475,7 @@ impl Grid {
                 // A step that meets a lower speed at its end is shorter.
                 let met = speed((s + h).min(end));
                 if met < here {
-                    h = h.min((tau * met).max(least));
+                    h = h.min((TAU * met).max(least));
                 }
                 // Of many cells, to the end of one.
                 let mut reached = cell;
