@@ -82,7 +82,7 @@ struct Effort {
 
 const CLOSE: Effort = Effort { tau: 0.004, gap: 2e-3, apart: 0.01 };
 
-/// The same where turns are few and it rests at neither end: a raster of long rows takes 0.1 % longer, and a seventh more of it is
+/// The same where turns are few and it rests at neither end: a raster of long rows takes 0.1 % longer, and a tenth more of it is
 /// planned in a second.
 const ROUGH: Effort = Effort { tau: 0.009, gap: 2e-2, apart: 0.03 };
 
