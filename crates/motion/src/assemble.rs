@@ -19,13 +19,13 @@
 mod open;
 mod parts;
 
-use crate::limits::{Class, Inverses, Load, Rates};
+use crate::limits::{Class, Inverse, Inverses, Load, Rates};
 use crate::moves::Move;
 use crate::path::corner::{Far, Recent};
 use crate::path::joint::{Ease, Joint, JointRules, MOST_CHORDS, Member, add, is_lost};
 use crate::path::piece::Piece;
 use crate::path::shape::{Cubic, Shape, stretch};
-use crate::path::smooth::Smoother;
+use crate::path::smooth::{Smoother, Span};
 use crate::timing::queue::{Cell, MARKS, Mark, Node, Pass, Queue};
 use ferrocut_geometry::{AXES, Position};
 use open::{Before, End, Flow, Held, Open, Start, Turn};
@@ -85,6 +85,27 @@ fn mark(inner: &mut VecDeque<Mark>, queue: &mut Queue, s: f64, tag: u64, apart: 
     }
     queue.mark(s, tag);
     count
+}
+
+/// What look-ahead needs of a part of a smoothed run, in which none but the `N` axes in front move: it begins at the length `u`.
+#[inline]
+fn node_of<const N: usize>(span: &Span, u: f64, cubic: &Cubic, class: Class, inverse: &Inverse) -> Node {
+    let (rates, stretch) = cubic.rates::<N>(span.share);
+    let stretch = stretch.max(LEAST_STRETCH);
+    let (most, highest) = (inverse.velocity(&rates.first), span.most / stretch);
+    Node {
+        s: u,
+        len: cubic.len,
+        load: inverse.load(&rates),
+        top: inverse.curve_speed(&rates, most).min(highest),
+        most: most.min(highest),
+        feed: span.feed / stretch,
+        basis: 0.0,
+        class,
+        pass: Pass::Path,
+        turns_are_few: span.turns_are_few,
+        rests: false,
+    }
 }
 
 /// A move under G62, which is cut up where an inner corner is at its end.
@@ -231,7 +252,10 @@ impl Assembler {
             }
         }
         self.take_newest(queue);
-        self.run(queue);
+        // Nearly always there is nothing to be done.
+        if self.is_blocked() {
+            self.run(queue);
+        }
         let newest = Newest::new(&self.end, m);
         if self.is_blocked() || !self.rules.exact_stop && newest.may_go_on() {
             self.newest = Some(newest);
@@ -261,10 +285,14 @@ impl Assembler {
     /// The line with this mark begins at `s`: so its parts end there.
     #[inline]
     fn begin_line(&mut self, tag: u64, s: f64) {
-        let (of, ends) = &mut self.of_line;
-        if !ends.is_empty() && *of == tag {
-            self.inner.extend(ends.drain(..).map(|end| Mark { s: s + end.s, ..end }));
+        if !self.of_line.1.is_empty() && self.of_line.0 == tag {
+            self.begin_parts(s);
         }
+    }
+
+    #[cold]
+    fn begin_parts(&mut self, s: f64) {
+        self.inner.extend(self.of_line.1.drain(..).map(|end| Mark { s: s + end.s, ..end }));
     }
 
     /// Takes a move on its way to its cells. It may be a line that goes on.
@@ -660,22 +688,8 @@ impl Assembler {
         let mut spare = CELLS_OF_FEED;
         self.smoother.run(from, last.s + to, keeps, goes_on, |span| {
             let node = |u: f64, cubic: &Cubic| {
-                let (rates, stretch) = cubic.rates(span.share);
-                let stretch = stretch.max(LEAST_STRETCH);
-                let (most, highest) = (inverse.velocity(&rates.first), span.most / stretch);
-                Node {
-                    s: u,
-                    len: cubic.len,
-                    load: inverse.load(&rates),
-                    top: inverse.curve_speed(&rates, most).min(highest),
-                    most: most.min(highest),
-                    feed: span.feed / stretch,
-                    basis: rpm,
-                    class,
-                    pass: Pass::Path,
-                    turns_are_few: span.turns_are_few,
-                    rests: false,
-                }
+                let of = if span.moves_others { node_of::<AXES> } else { node_of::<3> };
+                Node { basis: rpm, ..of(&span, u, cubic, class, inverse) }
             };
             let whole = node(span.u, &span.cubic);
             // Apart, so that each is built where it stays.
@@ -685,7 +699,9 @@ impl Assembler {
                 return;
             }
             // The feed is along the curve: where `|q′|` differs, so does what it is along the programmed length.
-            let uneven = if whole.feed < whole.top { span.cubic.unevenness(span.share) } else { 0.0 };
+            let unevenness =
+                if span.moves_others { Cubic::unevenness::<AXES> } else { Cubic::unevenness::<3> };
+            let uneven = if whole.feed < whole.top { unevenness(&span.cubic, span.share) } else { 0.0 };
             let parts = if uneven > 2.0 * EVEN { (uneven / EVEN).ceil().min(MOST_PARTS) as usize } else { 1 };
             if parts == 1 || parts > spare {
                 queue.append(Cell::new(Shape::Cubic(span.cubic), None), whole);

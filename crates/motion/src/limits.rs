@@ -131,12 +131,12 @@ pub(crate) enum Class {
     Locked,
 }
 
-/// Bounds of the first three derivatives of a piece of path, for every axis: 1, 1/mm, 1/mm².
+/// Bounds of the first three derivatives of a piece of path, for every axis of those in front that move: 1, 1/mm, 1/mm².
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub(crate) struct Rates {
-    pub first: [f64; AXES],
-    pub second: [f64; AXES],
-    pub third: [f64; AXES],
+pub(crate) struct Rates<const N: usize = AXES> {
+    pub first: [f64; N],
+    pub second: [f64; N],
+    pub third: [f64; N],
 }
 
 /// Highest acceleration and jerk along the path.
@@ -373,22 +373,22 @@ impl Inverse {
     }
 
     /// Highest speed along a piece, mm/s.
-    pub fn speed(&self, rates: &Rates) -> f64 {
+    pub fn speed<const N: usize>(&self, rates: &Rates<N>) -> f64 {
         self.curve_speed(rates, self.velocity(&rates.first))
     }
 
     /// The same, where `along` is that by the velocity of the axes alone.
-    pub fn curve_speed(&self, rates: &Rates, along: f64) -> f64 {
+    pub fn curve_speed<const N: usize>(&self, rates: &Rates<N>, along: f64) -> f64 {
         let bend = peak(&rates.second, &self.acceleration);
         let twist = peak(&rates.third, &self.jerk);
         along.min((CURVE_SHARE / bend.max(1e-15)).sqrt()).min(cube_root(TWIST_SHARE / twist.max(1e-20)))
     }
 
     /// What a piece takes of the limits.
-    pub fn load(&self, rates: &Rates) -> Load {
+    pub fn load<const N: usize>(&self, rates: &Rates<N>) -> Load {
         let mut load = Load::NONE;
         let mut curved = false;
-        for i in 0..AXES {
+        for i in 0..N {
             let (d, q, r) = (rates.first[i].abs(), rates.second[i].abs(), rates.third[i].abs());
             if d == 0.0 && q == 0.0 && r == 0.0 {
                 continue;

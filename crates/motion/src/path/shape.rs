@@ -102,12 +102,13 @@ impl Cubic {
     }
 
     /// The Bézier points of `q′`, which is quadratic and stays inside their hull.
-    fn hull(&self) -> [[f64; AXES]; 3] {
+    fn hull<const N: usize>(&self) -> [[f64; N]; 3] {
         let n = self.len;
         let [_, c1, c2, c3] = &self.c;
+        let begin = std::array::from_fn(|i| c1.0[i]);
         let middle = std::array::from_fn(|i| c1.0[i] + c2.0[i] * n);
         let end = std::array::from_fn(|i| c1.0[i] + n * (2.0 * c2.0[i] + 3.0 * c3.0[i] * n));
-        [c1.0, middle, end]
+        [begin, middle, end]
     }
 
     /// The stretch of it between two lengths.
@@ -118,16 +119,16 @@ impl Cubic {
     }
 
     /// How much `|q′|` over what the feed is measured along differs along it, as a share of its highest in three places.
-    pub fn unevenness(&self, share: f64) -> f64 {
-        let speeds = [0.0, 0.5, 1.0].map(|at| stretch(&self.derivatives::<AXES>(at * self.len)[0], share));
+    pub fn unevenness<const N: usize>(&self, share: f64) -> f64 {
+        let speeds = [0.0, 0.5, 1.0].map(|at| stretch(&self.derivatives::<N>(at * self.len)[0], share));
         let most = speeds.into_iter().fold(0.0, f64::max);
         1.0 - speeds.into_iter().fold(most, f64::min) / most.max(1e-12)
     }
 
     /// Bounds of the derivatives, where `q″` is linear and largest at an end, and the largest `|q′|` over what the feed is
     /// measured along ([`stretch`]).
-    pub fn rates(&self, share: f64) -> (Rates, f64) {
-        let hull = self.hull();
+    pub fn rates<const N: usize>(&self, share: f64) -> (Rates<N>, f64) {
+        let hull = self.hull::<N>();
         let stretch = hull.iter().map(|d| stretch(d, share)).fold(0.0, f64::max);
         let rates = Rates {
             first: std::array::from_fn(|i| {
@@ -146,11 +147,13 @@ impl Cubic {
 /// How far what the feed is measured along goes in the direction `d`, against the line there: X, Y and Z, which go the `share` of its
 /// length on it; all axes where that is 0.
 #[inline]
-pub(crate) fn stretch(d: &[f64; AXES], share: f64) -> f64 {
+pub(crate) fn stretch<const N: usize>(d: &[f64; N], share: f64) -> f64 {
     if share == 1.0 {
         return (d[0] * d[0] + d[1] * d[1] + d[2] * d[2]).sqrt();
     }
-    let ways = ways(d);
+    let mut all = [0.0; AXES];
+    all[..N].copy_from_slice(d);
+    let ways = ways(&all);
     if share > 0.0 { ways[0] / share } else { ways.into_iter().fold(0.0, f64::max) }
 }
 

@@ -34,7 +34,6 @@ use crate::limits::{Class, Inverse};
 use crate::moves::ways;
 use crate::path::fit::Fit;
 use crate::path::shape::Cubic;
-use controls::MOST_LOOKS;
 use ferrocut_geometry::{AXES, Position, SAME_POINT_MM};
 
 /// Most points of a run that are smoothed at once; a longer run goes on from where it was, and smooths some spans again.
@@ -48,6 +47,10 @@ const SAME_PLACE: f64 = 1e-6;
 
 /// Knots: ten more a line at most.
 const KNOTS: usize = KNOTS_A_LINE * (POINTS + SPARE) + 32;
+
+/// Places in which spans are set against the lines, of those before knots were put in too: no span that is on fewer than three lines
+/// has more than three.
+const LOOKS: usize = 8 * KNOTS;
 
 /// How far smoothing goes, from the boldest on.
 struct Level {
@@ -138,6 +141,8 @@ pub(crate) struct Span {
     pub turns_are_few: bool,
     /// How far X, Y and Z go on its line, as a share of the length of that.
     pub share: f64,
+    /// Whether other axes than these may move.
+    pub moves_others: bool,
 }
 
 type Vector = [f64; AXES];
@@ -200,8 +205,8 @@ impl Smoother {
             knots: Vec::with_capacity(KNOTS),
             controls: Vec::with_capacity(KNOTS),
             is_dense: Vec::with_capacity(KNOTS),
-            fit: Fit::new(KNOTS, MOST_LOOKS * KNOTS / 2),
-            fit_all: Fit::new(KNOTS, MOST_LOOKS * KNOTS / 2),
+            fit: Fit::new(KNOTS, LOOKS),
+            fit_all: Fit::new(KNOTS, LOOKS),
             inverse,
             soft: inverse,
             finer: Vec::with_capacity(KNOTS),
@@ -422,7 +427,17 @@ impl Smoother {
                 }
             }
             let (turns_are_few, share) = (self.turns_are_few, self.share(middle));
-            out(Span { u: begin, cubic, feed: line.feed, most, is_straight, turns_are_few, share });
+            let moves_others = N > 3;
+            out(Span {
+                u: begin,
+                cubic,
+                feed: line.feed,
+                most,
+                is_straight,
+                turns_are_few,
+                share,
+                moves_others,
+            });
         }
     }
 }
