@@ -24,6 +24,7 @@
 //! Everything left of a step at which the speed is the cap does not depend on what follows the section either.
 
 use crate::limits::Room;
+use crate::quick::{larger, smaller};
 use crate::timing::piece::{Piece, ROUNDING, State, acceleration_behind, step};
 use crate::timing::queue::{CELL_RING, Node, Pass, Queue};
 use crate::timing::ramp::{Foot, most_speed, way_up};
@@ -57,6 +58,10 @@ const ROUNDS: usize = 16;
 const LESS: f64 = 0.98;
 const EVERY_ROUND: f64 = 0.01;
 const SAFELY_LESS: f64 = 0.88;
+
+/// On curves where turns are few, this share is used from the first round on, but for the ways from rest and to rest: nearly
+/// always it is enough, and valleys ([`crate::timing::valley`]) use what it leaves.
+const OF_FEW: f64 = 0.9;
 
 /// Nothing is lessened below this share at once.
 const MUCH_LESS: f64 = 0.7;
@@ -211,7 +216,7 @@ impl Step {
     /// Jerk left at the acceleration `a`.
     #[inline]
     fn jerk(&self, a: f64) -> f64 {
-        self.j[0] + self.slack * a.min(self.a)
+        self.j[0] + self.slack * smaller(a, self.a)
     }
 }
 
@@ -271,7 +276,7 @@ impl Grid {
             if self.steps.is_empty() {
                 return false;
             }
-            if self.find(queue, from, care) {
+            if self.find(queue, from, last, care) {
                 return true;
             }
         }
@@ -318,7 +323,7 @@ impl Grid {
         let mut before = cap(queue.node(first));
         for cell in first + 1..=last {
             let here = cap(queue.node(cell));
-            self.ends.push(before.min(here));
+            self.ends.push(smaller(before, here));
             before = here;
         }
         self.ends.push(self.to.state.v);
@@ -438,7 +443,7 @@ impl Grid {
                 let way = end - s;
                 if way >= free[1] { f64::INFINITY } else { most_speed(high, way, drives[1]) }
             };
-            let speed = |s: f64| here.min(rising(s)).min(falling(s));
+            let speed = |s: f64| smaller(smaller(here, rising(s)), falling(s));
             // In the first step from rest the acceleration grows all along: it is as long as that takes, or TAU.
             // However short, a section has room to speed up and slow down in.
             let drive = drives[0].min(drives[1]);
@@ -466,16 +471,16 @@ impl Grid {
                     cell += 1;
                 }
                 let now = speed(s);
-                let mut h = (TAU * now).max(least).min((self.to.s - from.s) / 4.0);
+                let mut h = smaller(larger(TAU * now, least), (self.to.s - from.s) / 4.0);
                 if now >= here {
                     // Nothing changes for a while.
                     let begin = *top_begin.get_or_insert(s);
                     h = h.max((GROWTH * ((s - begin).min(top_end - s) - longer)).min(LONGEST * now));
                 }
                 // A step that meets a lower speed at its end is shorter.
-                let met = speed((s + h).min(end));
+                let met = speed(smaller(s + h, end));
                 if met < here {
-                    h = h.min((TAU * met).max(least));
+                    h = smaller(h, larger(TAU * met, least));
                 }
                 // Of many cells, to the end of one.
                 let mut reached = cell;
@@ -495,7 +500,7 @@ impl Grid {
                 let then = if to < end { speed(to) } else { high.v };
                 // Between both the speed may rise above them.
                 let between = rising(s + h).min(falling(s));
-                let most = here.min(now.max(then).max(between));
+                let most = smaller(here, larger(larger(now, then), between));
                 self.steps.push(Step {
                     s,
                     h,
@@ -530,8 +535,8 @@ impl Grid {
     }
 
     /// Passes 2 to 6, again and again; `false` if no plan was found.
-    fn find(&mut self, queue: &Queue, from: Port, care: Care) -> bool {
-        self.leave(queue);
+    fn find(&mut self, queue: &Queue, from: Port, last: u64, care: Care) -> bool {
+        self.leave(queue, from.state == State::REST, queue.node(last).rests);
         let all = 0..self.steps.len();
         if !self.rise_and_fall(all.clone(), from.state) {
             return false;
@@ -605,9 +610,19 @@ impl Grid {
     }
 
     /// What is left to the path in every step.
-    fn leave(&mut self, queue: &Queue) {
+    fn leave(&mut self, queue: &Queue, from_rest: bool, to_rest: bool) {
         for step in &mut self.steps {
             step.room = step.room_at(queue, step.most);
+        }
+        let is_at_cap = |step: &Step| step.most >= step.cap;
+        let begin = self.steps.iter().position(is_at_cap).filter(|_| from_rest).unwrap_or(0);
+        let end = self.steps.iter().rposition(is_at_cap).filter(|_| to_rest);
+        let end = end.map_or(self.steps.len(), |k| k + 1);
+        for step in &mut self.steps[begin..end] {
+            let is_curve = step.room.j[1] < step.room.j[0];
+            if is_curve && queue.node(step.cell).turns_are_few {
+                step.share = OF_FEW;
+            }
         }
     }
 
@@ -620,12 +635,12 @@ impl Grid {
         for i in 0..n {
             let behind = self.steps[(i + 1).min(n - 1)].x;
             let step = &mut self.steps[i];
-            let x = before.max(step.x).max(behind);
+            let x = larger(larger(before, step.x), behind);
             before = step.x;
             if step.most * step.most > FAR_ABOVE * FAR_ABOVE * x
                 && !step.nodes(queue).all(|node| node.load.is_straight())
             {
-                step.most = step.most.min(ABOVE * x.sqrt().max(LEAST_SUMMIT));
+                step.most = smaller(step.most, ABOVE * larger(x.sqrt(), LEAST_SUMMIT));
                 step.time = step.h / step.most;
                 step.room = step.room_at(queue, step.most);
                 comes_closer = true;
@@ -652,16 +667,16 @@ impl Grid {
         for i in range.clone().rev() {
             let before = if i > 0 { self.steps[i - 1].a } else { f64::INFINITY };
             let step = &mut self.steps[i];
-            step.up[1] = up.min(step.a);
-            up = before.min(step.a).min(step.up[1] + step.j[1] * step.time);
+            step.up[1] = smaller(up, step.a);
+            up = smaller(smaller(before, step.a), step.up[1] + step.j[1] * step.time);
             step.up[0] = up;
         }
         let mut down = range.start.checked_sub(1).map_or(f64::INFINITY, |i| self.steps[i].down[1]);
         for i in range {
             let behind = self.steps.get(i + 1).map_or(f64::INFINITY, |step| step.a);
             let step = &mut self.steps[i];
-            step.down[0] = down.min(step.a);
-            down = behind.min(step.a).min(step.down[0] + step.j[1] * step.time);
+            step.down[0] = smaller(down, step.a);
+            down = smaller(smaller(behind, step.a), step.down[0] + step.j[1] * step.time);
             step.down[1] = down;
         }
     }
@@ -703,7 +718,7 @@ impl Grid {
     fn round_summits(&mut self, range: Range<usize>, from: Port) {
         self.times.clear();
         let steps = self.steps[range.clone()].iter();
-        self.times.extend(steps.map(|step| step.gap / step.x.sqrt().max(LEAST_SUMMIT)));
+        self.times.extend(steps.map(|step| step.gap / larger(step.x.sqrt(), LEAST_SUMMIT)));
         self.lower(range.clone(), from, |steps, i| steps[i].slope.abs());
         self.lower(range.clone(), from, |steps, i| {
             let (Some(before), Some(behind)) = (i.checked_sub(1), steps.get(i + 1)) else {
@@ -765,7 +780,7 @@ impl Grid {
             let between = a.2..b.2 - 1;
             for (step, bulge) in steps[between.clone()].iter_mut().zip(&self.bulges[between]) {
                 let x = a.1 + slope * (step.middle() - a.0) - bulge;
-                step.rounded = x.min(step.x).max(0.0);
+                step.rounded = larger(smaller(x, step.x), 0.0);
             }
         }
     }
@@ -830,7 +845,7 @@ fn climb(at: &Step, most: f64, state: State) -> [State; 2] {
     if state.v >= at.cap && state.a <= 0.0 {
         return [State { v: at.cap, a: 0.0 }; 2];
     }
-    let mut j = at.jerk(state.a.max(0.0));
+    let mut j = at.jerk(larger(state.a, 0.0));
     if at.j[0] != at.j[1] {
         let a = acceleration_behind(state, j, h);
         j = at.jerk(a.clamp(0.0, most.max(0.0)));
