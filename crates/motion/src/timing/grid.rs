@@ -33,6 +33,9 @@ use std::ops::Range;
 /// Length of steps in time, s.
 const TAU: f64 = 0.004;
 
+/// The same where turns are few: what is lost is found again in the valleys ([`crate::timing::valley`]).
+const TAU_OF_FEW: f64 = 0.006;
+
 /// Cells that are run in so much less time are one step: where the path turns they are many, and what is lost by taking the
 /// lowest of their bounds is found again in the valley there ([`crate::timing::valley`]).
 const BRIEF: f64 = 1.5 * TAU;
@@ -270,9 +273,11 @@ impl Grid {
     ) -> bool {
         self.to = to;
         self.reach_cells(queue, from, first, last, &cap);
-        for care in [Care::Bold, Care::Safe] {
+        let are_few = queue.node(first).turns_are_few;
+        let ways = [(TAU_OF_FEW, Care::Bold), (TAU, Care::Bold), (TAU, Care::Safe)];
+        for (tau, care) in ways.into_iter().skip(usize::from(!are_few)) {
             self.to = to;
-            self.place(queue, from, first, last, &cap);
+            self.place(queue, from, [first, last], tau, &cap);
             if self.steps.is_empty() {
                 return false;
             }
@@ -405,7 +410,14 @@ impl Grid {
     }
 
     /// Sets the steps. Where the speed is a cap that goes on over many cells, so do steps.
-    fn place(&mut self, queue: &Queue, from: Port, first: u64, last: u64, cap: &impl Fn(&Node) -> f64) {
+    fn place(
+        &mut self,
+        queue: &Queue,
+        from: Port,
+        [first, last]: [u64; 2],
+        tau: f64,
+        cap: &impl Fn(&Node) -> f64,
+    ) {
         self.steps.clear();
         self.is_cut = false;
         let mut door = f64::INFINITY;
@@ -471,7 +483,7 @@ impl Grid {
                     cell += 1;
                 }
                 let now = speed(s);
-                let mut h = smaller(larger(TAU * now, least), (self.to.s - from.s) / 4.0);
+                let mut h = smaller(larger(tau * now, least), (self.to.s - from.s) / 4.0);
                 if now >= here {
                     // Nothing changes for a while.
                     let begin = *top_begin.get_or_insert(s);
@@ -480,7 +492,7 @@ impl Grid {
                 // A step that meets a lower speed at its end is shorter.
                 let met = speed(smaller(s + h, end));
                 if met < here {
-                    h = smaller(h, larger(TAU * met, least));
+                    h = smaller(h, larger(tau * met, least));
                 }
                 // Of many cells, to the end of one.
                 let mut reached = cell;

@@ -12,19 +12,26 @@ const END_WEIGHT: f64 = 1e6;
 const LEAST_LOOKS: usize = 2;
 const MOST_LOOKS: usize = 5;
 
-/// A slow span is no longer than this share of what is smoothed away there, where so many parts are enough.
-const SPLIT: f64 = 0.27;
-const MOST_PARTS: usize = 10;
+/// How long slow spans are.
+#[derive(Clone, Copy, Debug)]
+struct Fineness {
+    /// At most, as a share of what is smoothed away there.
+    split: f64,
+    /// Where less of the jerk is taken than this, there and near by, there is less to bend for: it may be so much longer, up to so
+    /// many times what is smoothed away.
+    bends: f64,
+    longest: f64,
+}
+
+const FINE: Fineness = Fineness { split: 0.27, bends: 0.3, longest: 10.0 };
 
 /// The same where turns are few among many lines, of which there are so many at least: a raster of long rows takes 0.3 % longer, and
-/// a quarter more of it is planned in a second.
-const SPLIT_OF_FEW: f64 = 0.5;
+/// a third more of it is planned in a second.
+const FINE_FOR_FEW: Fineness = Fineness { split: 0.5, bends: 0.5, longest: 20.0 };
 const MANY_LINES: usize = 128;
 
-/// Where less of the jerk is taken than this, there and near by, there is less to bend for: it may be so much longer, up to so many
-/// times what is smoothed away.
-const BENDS: f64 = 0.3;
-const LONGEST: f64 = 10.0;
+/// So many parts are enough.
+const MOST_PARTS: usize = 10;
 
 /// At an end it is slow because it rests there: with more knots the fit, soft as it is where it is slow, would turn there so
 /// sharply that it stays slow.
@@ -179,7 +186,7 @@ impl Smoother {
         self.finer.clear();
         self.is_finer_dense.clear();
         self.origins.clear();
-        let longest = if self.turns_are_few { SPLIT_OF_FEW } else { SPLIT };
+        let Fineness { split, bends, longest } = if self.turns_are_few { FINE_FOR_FEW } else { FINE };
         fit.find_loads(&self.soft);
         fit.pace.begin_split();
         self.finer.extend_from_slice(&self.knots[..3]);
@@ -192,7 +199,7 @@ impl Smoother {
                 let away = fit.pace.most_reach(k, tolerance);
                 let is_close = keeps[0] && begin - self.t(0) < away || keeps[1] && self.t(spans) - end < away;
                 if !is_close {
-                    let share = (longest * (BENDS / fit.load(k)).max(1.0)).min(LONGEST);
+                    let share = (split * (bends / fit.load(k)).max(1.0)).min(longest);
                     let most = share * fit.pace.reach(k, tolerance);
                     let is_end = k == 0 || k + 1 == spans;
                     let most_parts = if is_end { PARTS_AT_END } else { MOST_PARTS };
