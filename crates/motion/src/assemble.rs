@@ -704,7 +704,7 @@ impl Assembler {
             let uneven = if whole.feed < whole.top { unevenness(&span.cubic, span.share) } else { 0.0 };
             let parts = if uneven > 2.0 * EVEN { (uneven / EVEN).ceil().min(MOST_PARTS) as usize } else { 1 };
             if parts == 1 || parts > spare {
-                queue.append(Cell::new(Shape::Cubic(span.cubic), None), whole);
+                queue.append_cubic(&span.cubic, span.moves_others, &whole);
                 return;
             }
             spare -= parts;
@@ -712,7 +712,7 @@ impl Assembler {
             let place = |k: usize| if k == parts { len } else { len * k as f64 / parts as f64 };
             for k in 0..parts {
                 let part = span.cubic.part(place(k), place(k + 1));
-                queue.append(Cell::new(Shape::Cubic(part), None), node(span.u + place(k), &part));
+                queue.append_cubic(&part, span.moves_others, &node(span.u + place(k), &part));
             }
         });
         if !goes_on || queue.tail() > known {

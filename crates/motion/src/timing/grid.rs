@@ -626,11 +626,11 @@ impl Grid {
         for step in &mut self.steps {
             step.room = step.room_at(queue, step.most);
         }
+        let n = self.steps.len();
         let is_at_cap = |step: &Step| step.most >= step.cap;
-        let begin = self.steps.iter().position(is_at_cap).filter(|_| from_rest).unwrap_or(0);
-        let end = self.steps.iter().rposition(is_at_cap).filter(|_| to_rest);
-        let end = end.map_or(self.steps.len(), |k| k + 1);
-        for step in &mut self.steps[begin..end] {
+        let begin = if from_rest { self.steps.iter().position(is_at_cap).unwrap_or(n) } else { 0 };
+        let end = if to_rest { self.steps.iter().rposition(is_at_cap).map_or(0, |k| k + 1) } else { n };
+        for step in &mut self.steps[begin.min(end)..end] {
             let is_curve = step.room.j[1] < step.room.j[0];
             if is_curve && queue.node(step.cell).turns_are_few {
                 step.share = OF_FEW;

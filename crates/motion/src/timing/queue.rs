@@ -9,7 +9,7 @@
 //! ([`crate::retrace`]).
 
 use crate::limits::{Class, Load};
-use crate::path::shape::Shape;
+use crate::path::shape::{Cubic, Shape};
 use crate::timing::piece::PLACES;
 use crate::timing::ramp::Foot;
 use ferrocut_geometry::Position;
@@ -276,12 +276,29 @@ impl Queue {
     /// Adds a cell; the caller looked for room.
     #[inline]
     pub fn append(&mut self, cell: Cell, node: Node) {
+        let moves_others = cell.shape.moves_others();
+        self.next(&node, moves_others);
+        self.cells[slot(self.tail)] = cell;
+        self.tail += 1;
+    }
+
+    /// The same of a stretch of a smoothed run: what a cubic has is copied, not as much as the largest of shapes has.
+    #[inline]
+    pub fn append_cubic(&mut self, cubic: &Cubic, moves_others: bool, node: &Node) {
+        self.next(node, moves_others);
+        let cell = &mut self.cells[slot(self.tail)];
+        cell.shape = Shape::Cubic(*cubic);
+        cell.rest = None;
+        cell.is_back = false;
+        self.tail += 1;
+    }
+
+    #[inline]
+    fn next(&mut self, node: &Node, moves_others: bool) {
         self.rests += usize::from(node.rests);
         self.moves_others &= self.head < self.tail;
-        self.moves_others = self.moves_others || cell.shape.moves_others();
-        self.cells[slot(self.tail)] = cell;
-        self.nodes[slot(self.tail)] = node;
-        self.tail += 1;
+        self.moves_others = self.moves_others || moves_others;
+        self.nodes[slot(self.tail)] = *node;
     }
 
     /// The cell from `from` on that the length `s` lies in.
@@ -421,7 +438,6 @@ impl Queue {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::path::shape::Cubic;
 
     #[test]
     fn several_places_are_as_each_of_them() {

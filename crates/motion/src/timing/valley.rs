@@ -251,7 +251,8 @@ impl Valley {
         let planned = self.slacken();
         let mut little = A_LITTLE;
         for round in 0..ROUNDS {
-            let mut solution = self.solve(planned, if round == 0 { FIRST_GAP } else { NEXT_GAP });
+            let next_gap = NEXT_GAP.max(self.effort.gap);
+            let mut solution = self.solve(planned, if round == 0 { FIRST_GAP } else { next_gap });
             // From a solution that the tightened bounds have left, the way to the next is not always found: from the plan it is.
             if solution == Solution::None && round > 0 {
                 self.x.clone_from(&self.planned);
