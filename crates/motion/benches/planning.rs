@@ -58,17 +58,17 @@ fn rate<P, T>(
     let mut time = |_| {
         let began = Instant::now();
         let mut planner = new();
-        let mut time = began.elapsed();
+        let mut took = began.elapsed();
         for some in moves.chunks(BATCH) {
             batch.clear();
             batch.extend_from_slice(some);
             let began = Instant::now();
             take(&mut planner, &batch);
-            time += began.elapsed();
+            took += began.elapsed();
         }
         let began = Instant::now();
         black_box(end(planner));
-        (time + began.elapsed()).as_secs_f64()
+        (took + began.elapsed()).as_secs_f64()
     };
     COUNT as f64 / (0..RUNS).map(&mut time).fold(f64::INFINITY, f64::min)
 }
@@ -230,8 +230,7 @@ impl Trapezoids {
 
     fn take(&mut self, moves: &[Move]) {
         for to in moves.iter().map(Move::to) {
-            self.push(self.at, to);
-            self.at = to;
+            self.push(to);
         }
     }
 
@@ -243,8 +242,9 @@ impl Trapezoids {
         self.time
     }
 
-    fn push(&mut self, from: Position, to: Position) {
-        let d = to - from;
+    fn push(&mut self, to: Position) {
+        let d = to - self.at;
+        self.at = to;
         let len = d.0.iter().map(|c| c * c).sum::<f64>().sqrt();
         if len == 0.0 {
             return;

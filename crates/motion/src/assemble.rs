@@ -89,7 +89,13 @@ fn mark(inner: &mut VecDeque<Mark>, queue: &mut Queue, s: f64, tag: u64, apart: 
 
 /// What look-ahead needs of a part of a smoothed run, in which none but the `N` axes in front move: it begins at the length `u`.
 #[inline]
-fn node_of<const N: usize>(span: &Span, u: f64, cubic: &Cubic, class: Class, inverse: &Inverse) -> Node {
+fn node_of<const N: usize>(
+    span: &Span,
+    u: f64,
+    cubic: &Cubic,
+    (class, rpm): (Class, f64),
+    inverse: &Inverse,
+) -> Node {
     let (rates, stretch) = cubic.rates::<N>(span.share);
     let stretch = stretch.max(LEAST_STRETCH);
     let (most, highest) = (inverse.velocity(&rates.first), span.most / stretch);
@@ -100,7 +106,7 @@ fn node_of<const N: usize>(span: &Span, u: f64, cubic: &Cubic, class: Class, inv
         top: inverse.curve_speed(&rates, most).min(highest),
         most: most.min(highest),
         feed: span.feed / stretch,
-        basis: 0.0,
+        basis: rpm,
         class,
         pass: Pass::Path,
         turns_are_few: span.turns_are_few,
@@ -252,10 +258,7 @@ impl Assembler {
             }
         }
         self.take_newest(queue);
-        // Nearly always there is nothing to be done.
-        if self.is_blocked() {
-            self.run(queue);
-        }
+        self.run(queue);
         let newest = Newest::new(&self.end, m);
         if self.is_blocked() || !self.rules.exact_stop && newest.may_go_on() {
             self.newest = Some(newest);
@@ -285,7 +288,8 @@ impl Assembler {
     /// The line with this mark begins at `s`: so its parts end there.
     #[inline]
     fn begin_line(&mut self, tag: u64, s: f64) {
-        if !self.of_line.1.is_empty() && self.of_line.0 == tag {
+        let (of, ends) = &self.of_line;
+        if !ends.is_empty() && *of == tag {
             self.begin_parts(s);
         }
     }
@@ -546,7 +550,15 @@ impl Assembler {
     }
 
     /// Adds cells as far as there is room.
+    #[inline]
     pub fn run(&mut self, queue: &mut Queue) {
+        // Nearly always nothing waits.
+        if self.is_blocked() {
+            self.run_blocked(queue);
+        }
+    }
+
+    fn run_blocked(&mut self, queue: &mut Queue) {
         loop {
             if let Some(flow) = self.flow.take() {
                 self.flow = self.run_flow(flow, queue);
@@ -689,7 +701,7 @@ impl Assembler {
         self.smoother.run(from, last.s + to, keeps, goes_on, |span| {
             let node = |u: f64, cubic: &Cubic| {
                 let of = if span.moves_others { node_of::<AXES> } else { node_of::<3> };
-                Node { basis: rpm, ..of(&span, u, cubic, class, inverse) }
+                of(&span, u, cubic, (class, rpm), inverse)
             };
             let whole = node(span.u, &span.cubic);
             // Apart, so that each is built where it stays.

@@ -373,7 +373,7 @@ impl Inverse {
     }
 
     /// Highest speed along a piece, mm/s.
-    pub fn speed<const N: usize>(&self, rates: &Rates<N>) -> f64 {
+    pub fn speed(&self, rates: &Rates) -> f64 {
         self.curve_speed(rates, self.velocity(&rates.first))
     }
 

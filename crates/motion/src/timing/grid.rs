@@ -64,7 +64,7 @@ const SAFELY_LESS: f64 = 0.88;
 
 /// On curves where turns are few, this share is used from the first round on, but for the ways from rest and to rest: nearly
 /// always it is enough, and valleys ([`crate::timing::valley`]) use what it leaves.
-const OF_FEW: f64 = 0.9;
+const SHARE_OF_FEW: f64 = 0.9;
 
 /// Nothing is lessened below this share at once.
 const MUCH_LESS: f64 = 0.7;
@@ -273,6 +273,7 @@ impl Grid {
     ) -> bool {
         self.to = to;
         self.reach_cells(queue, from, first, last, &cap);
+        // With longer steps there may be no way to a corner where there is one with others.
         let are_few = queue.node(first).turns_are_few;
         let ways = [(TAU_OF_FEW, Care::Bold), (TAU, Care::Bold), (TAU, Care::Safe)];
         for (tau, care) in ways.into_iter().skip(usize::from(!are_few)) {
@@ -548,7 +549,8 @@ impl Grid {
 
     /// Passes 2 to 6, again and again; `false` if no plan was found.
     fn find(&mut self, queue: &Queue, from: Port, last: u64, care: Care) -> bool {
-        self.leave(queue, from.state == State::REST, queue.node(last).rests);
+        self.leave(queue);
+        self.spare(queue, [from.state == State::REST, queue.node(last).rests]);
         let all = 0..self.steps.len();
         if !self.rise_and_fall(all.clone(), from.state) {
             return false;
@@ -622,10 +624,14 @@ impl Grid {
     }
 
     /// What is left to the path in every step.
-    fn leave(&mut self, queue: &Queue, from_rest: bool, to_rest: bool) {
+    fn leave(&mut self, queue: &Queue) {
         for step in &mut self.steps {
             step.room = step.room_at(queue, step.most);
         }
+    }
+
+    /// Uses less of that on curves where turns are few ([`SHARE_OF_FEW`]); whether the section begins and ends at rest.
+    fn spare(&mut self, queue: &Queue, [from_rest, to_rest]: [bool; 2]) {
         let n = self.steps.len();
         let is_at_cap = |step: &Step| step.most >= step.cap;
         let begin = if from_rest { self.steps.iter().position(is_at_cap).unwrap_or(n) } else { 0 };
@@ -633,7 +639,7 @@ impl Grid {
         for step in &mut self.steps[begin.min(end)..end] {
             let is_curve = step.room.j[1] < step.room.j[0];
             if is_curve && queue.node(step.cell).turns_are_few {
-                step.share = OF_FEW;
+                step.share = SHARE_OF_FEW;
             }
         }
     }

@@ -277,28 +277,28 @@ impl Queue {
     #[inline]
     pub fn append(&mut self, cell: Cell, node: Node) {
         let moves_others = cell.shape.moves_others();
-        self.next(&node, moves_others);
-        self.cells[slot(self.tail)] = cell;
-        self.tail += 1;
+        *self.next(&node, moves_others) = cell;
     }
 
     /// The same of a stretch of a smoothed run: what a cubic has is copied, not as much as the largest of shapes has.
     #[inline]
     pub fn append_cubic(&mut self, cubic: &Cubic, moves_others: bool, node: &Node) {
-        self.next(node, moves_others);
-        let cell = &mut self.cells[slot(self.tail)];
+        let cell = self.next(node, moves_others);
         cell.shape = Shape::Cubic(*cubic);
         cell.rest = None;
         cell.is_back = false;
-        self.tail += 1;
     }
 
+    /// The place of a new cell, which may move others than X, Y and Z.
     #[inline]
-    fn next(&mut self, node: &Node, moves_others: bool) {
+    fn next(&mut self, node: &Node, moves_others: bool) -> &mut Cell {
         self.rests += usize::from(node.rests);
         self.moves_others &= self.head < self.tail;
         self.moves_others = self.moves_others || moves_others;
-        self.nodes[slot(self.tail)] = *node;
+        let place = slot(self.tail);
+        self.tail += 1;
+        self.nodes[place] = *node;
+        &mut self.cells[place]
     }
 
     /// The cell from `from` on that the length `s` lies in.

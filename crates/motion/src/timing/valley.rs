@@ -251,8 +251,9 @@ impl Valley {
         let planned = self.slacken();
         let mut little = A_LITTLE;
         for round in 0..ROUNDS {
-            let next_gap = NEXT_GAP.max(self.effort.gap);
-            let mut solution = self.solve(planned, if round == 0 { FIRST_GAP } else { next_gap });
+            // No closer than at first: what is closer to the least is beyond its bounds elsewhere.
+            let gap = if round == 0 { FIRST_GAP } else { NEXT_GAP.max(self.effort.gap) };
+            let mut solution = self.solve(planned, gap);
             // From a solution that the tightened bounds have left, the way to the next is not always found: from the plan it is.
             if solution == Solution::None && round > 0 {
                 self.x.clone_from(&self.planned);
