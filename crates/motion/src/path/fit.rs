@@ -17,8 +17,8 @@
 //! The least sum of squares has more jerk in some places of a turn than in others. So spans are weighed anew by what each
 //! takes of the jerk ([`Fit::level`]), as where a sum of higher powers is to be least.
 //!
-//! Every span keeps its own sum of products, so a round costs what has changed in it: the places are looked at, and only
-//! those that weigh more are added again.
+//! A round costs what has changed in it: places are looked at where control points have moved, those that weigh more are added
+//! again, and control points are found again as far as that moves them, about each corner on its own.
 
 // Only as many axes as move are looped over; their number is known when compiling.
 #![allow(clippy::needless_range_loop)]
@@ -39,7 +39,7 @@ const ROUNDS: usize = 24;
 /// so much each round, and no more than [`MOST_CLOSER`]. A place that hardly gives way would take tens of rounds without.
 ///
 /// What weighs too much in the end bends the curve more than it has to: where much is slow it is brought closer by less at once,
-/// which takes more rounds.
+/// which takes more rounds; where turns are few by more.
 #[derive(Clone, Copy, Debug)]
 struct Pressure {
     closer: f64,
@@ -48,6 +48,7 @@ struct Pressure {
 
 const PRESSURE: Pressure = Pressure { closer: 1.02, harder: 0.1 };
 const PRESSURE_WHERE_SLOW: Pressure = Pressure { closer: 1.01, harder: 0.05 };
+const PRESSURE_WHERE_FEW: Pressure = Pressure { closer: 1.03, harder: 0.2 };
 const MOST_CLOSER: f64 = 30.0;
 
 /// It is close enough where it is beyond the limit by no more than this, as a share of its square.
@@ -56,11 +57,12 @@ const CLOSE_ENOUGH: f64 = 1.02;
 /// A row of the equations that differs by no more than this share of itself is that of the round before.
 const SAME: f64 = 1e-7;
 
+/// Spans that weigh more and lie further apart than so many hardly bear on each other: about each of them control points are found
+/// on their own.
+const APART: usize = 16;
+
 /// A control point that moves by no more than this share of the tolerance has not moved in a round.
 const NOT_MOVED: f64 = 1e-5;
-
-/// `ℓ` is so many times what would spend both alike: the least of the squares still has more jerk in a turn than beside it.
-const STIFF: f64 = 1.1;
 
 /// A span gets stiffer by its share of the mean jerk to this power, and stiffer and softer by no more than so many times: between
 /// two sharp corners there is much that takes little.
@@ -90,13 +92,25 @@ struct Look<const N: usize> {
     p: [f64; N],
 }
 
-/// What a span adds to the normal equations.
+/// A row of the normal equations: its entries from the diagonal on to the left, and its right side.
+#[derive(Clone, Copy, Debug)]
+struct Row<const N: usize> {
+    entries: [f64; BAND],
+    side: [f64; N],
+}
+
+impl<const N: usize> Row<N> {
+    const ZERO: Row<N> = Row { entries: [0.0; BAND], side: [0.0; N] };
+
+    /// That of a control point that is not moved.
+    const STANDING: Row<N> = Row { entries: [1.0, 0.0, 0.0, 0.0], side: [0.0; N] };
+}
+
+/// A span.
 #[derive(Clone, Copy, Debug)]
 struct Strip<const N: usize> {
-    /// `gram[i][d]` is the sum of the products of the weights of its control points `i` and `i − d`, 0 where there is none;
-    /// and their right sides.
-    gram: [[f64; BAND]; BAND],
-    side: [[f64; N]; BAND],
+    /// What it adds to the rows of its control points at first.
+    own: [Row<N>; BAND],
     /// Weights of the control points in the third derivative.
     third: [f64; BAND],
     /// The same in the mean second one.
@@ -110,8 +124,6 @@ struct Strip<const N: usize> {
     tolerance: f64,
     /// The first of its places, and one behind the last.
     looks: [usize; 2],
-    /// Whether one of them weighs more than at first.
-    is_pressed: bool,
     /// How far its control points may move before one of its places can be beyond its limit.
     room: f64,
 }
@@ -132,11 +144,15 @@ pub(crate) struct Fit<const N: usize> {
     old: Vec<Strip<N>>,
     /// How fast every span is run, about.
     pub pace: Pace,
-    /// `rows[i][d]` is the entry of row `i` and column `i − d`.
-    rows: Vec<[f64; BAND]>,
-    sides: Vec<[f64; N]>,
+    /// The normal equations.
+    sums: Vec<Row<N>>,
+    /// Entry `d` of row `i` is that of `L` in column `i − d`, on the diagonal `1/D`; and what is left of the right side.
+    factors: Vec<Row<N>>,
     /// How far every control point was moved by the last solution, no less.
     ways: Vec<f64>,
+    /// Spans of which control points have moved, and those of which places weigh more.
+    moving: Vec<Range<usize>>,
+    pressed: Vec<Range<usize>>,
 }
 
 impl<const N: usize> Fit<N> {
@@ -150,9 +166,11 @@ impl<const N: usize> Fit<N> {
             strips: Vec::with_capacity(controls),
             old: Vec::with_capacity(controls),
             pace: Pace::new(controls),
-            rows: Vec::with_capacity(controls),
-            sides: Vec::with_capacity(controls),
+            sums: Vec::with_capacity(controls),
+            factors: Vec::with_capacity(controls),
             ways: Vec::with_capacity(controls),
+            moving: Vec::with_capacity(controls),
+            pressed: Vec::with_capacity(controls),
         }
     }
 
@@ -175,9 +193,9 @@ impl<const N: usize> Fit<N> {
         self.pace.keep_stretches();
     }
 
-    /// The next span is the old span `k`, unless that one is no more as it was at first. Whether it is.
+    /// The next span is the old span `k` as it was at first. Whether there is such a span.
     pub fn take_over(&mut self, k: usize) -> bool {
-        let Some(strip) = self.old.get(k).filter(|strip| !strip.is_pressed) else { return false };
+        let Some(strip) = self.old.get(k) else { return false };
         // Control points are moved from the first ones again.
         self.strips.push(Strip { room: 0.0, ..*strip });
         self.pace.take_over(k);
@@ -213,27 +231,24 @@ impl<const N: usize> Fit<N> {
         tolerance: f64,
         stretch: Stretch,
     ) {
-        let (gram, side) = ([[0.0; BAND]; BAND], [[0.0; N]; BAND]);
         let k = self.strips.len();
         let (first_third, first_bend) = (self.at_first(k, &third), self.at_first(k, &bend));
         let looks = [self.looks.len(); 2];
+        let mut own = [Row::ZERO; BAND];
+        add(&mut own, stiff, &third, &first_third.map(|c| -c));
+        let (load, room) = (0.0, 0.0);
         self.strips.push(Strip {
-            gram,
-            side,
+            own,
             third,
             bend,
             first_third,
             first_bend,
-            stiff: 0.0,
-            load: 0.0,
+            stiff,
+            load,
             tolerance,
             looks,
-            is_pressed: false,
-            room: 0.0,
+            room,
         });
-        if let Some(strip) = self.strips.last_mut() {
-            strip.stiffen(stiff);
-        }
         self.pace.stretches.push(stretch);
     }
 
@@ -244,7 +259,7 @@ impl<const N: usize> Fit<N> {
         let p = apart(p, self.at_first(k, &basis));
         let look = Look { basis, weight, close: (limit * limit).recip(), p };
         if let Some(strip) = self.strips.last_mut() {
-            strip.press(&look, weight);
+            add(&mut strip.own, weight, &look.basis, &look.p);
             self.looks.push(look);
             strip.looks[1] = self.looks.len();
         }
@@ -253,9 +268,24 @@ impl<const N: usize> Fit<N> {
     /// Span `k` shall go through `p`.
     pub fn tie(&mut self, k: usize, basis: [f64; BAND], weight: f64, p: [f64; N]) {
         let p = apart(p, self.at_first(k, &basis));
-        let look = Look { basis, weight, close: 0.0, p };
         if let Some(strip) = self.strips.get_mut(k) {
-            strip.press(&look, weight);
+            add(&mut strip.own, weight, &basis, &p);
+        }
+    }
+
+    /// Sums up what all spans add to the normal equations at first.
+    pub fn sum_up(&mut self) {
+        self.sums.clear();
+        self.sums.resize(self.controls.len(), Row::ZERO);
+        for (k, strip) in self.strips.iter().enumerate() {
+            for (sum, own) in self.sums[k..k + BAND].iter_mut().zip(&strip.own) {
+                for (sum, own) in sum.entries.iter_mut().zip(&own.entries) {
+                    *sum += own;
+                }
+                for (sum, own) in sum.side.iter_mut().zip(&own.side) {
+                    *sum += own;
+                }
+            }
         }
     }
 
@@ -264,26 +294,41 @@ impl<const N: usize> Fit<N> {
         self.solve_about(0..self.strips.len(), 0.0);
     }
 
-    /// The same again, with more weight where the spline is far from the lines, as long as it is. A round goes only as far as
-    /// something changes.
-    pub fn close(&mut self) {
-        let mut spans = 0..self.strips.len();
-        let pressure = self.pressure();
+    /// The same again, with more weight where the spline is far from the lines, as long as it is: in fewer rounds where turns are
+    /// `few`. A round goes only as far as something changes.
+    pub fn close(&mut self, few: bool) {
+        let pressure = if few { PRESSURE_WHERE_FEW } else { self.pressure() };
+        self.all_move();
         for round in 0..=ROUNDS {
             let power = 1.0 + pressure.harder * round as f64;
-            let (pressed, most) = self.press(spans, pressure.closer, power);
-            if most <= CLOSE_ENOUGH || round == ROUNDS {
-                if round > 0 {
-                    self.solve();
-                }
+            if self.press(pressure.closer, power) <= CLOSE_ENOUGH {
                 return;
             }
-            let least = self.strips[pressed.clone()]
-                .iter()
-                .map(|strip| strip.tolerance)
-                .fold(f64::INFINITY, f64::min);
-            spans = self.solve_about(pressed, NOT_MOVED * least);
+            self.solve_about_pressed();
         }
+    }
+
+    /// Finds the control points again about the spans of which places weigh more.
+    fn solve_about_pressed(&mut self) {
+        let pressed = std::mem::take(&mut self.pressed);
+        let strips = pressed.iter().flat_map(|spans| &self.strips[spans.clone()]);
+        let least = NOT_MOVED * strips.map(|strip| strip.tolerance).fold(f64::INFINITY, f64::min);
+        self.moving.clear();
+        for spans in &pressed {
+            let mut moved = self.solve_about(spans.clone(), least);
+            // Those before may have moved once more.
+            while let Some(before) = self.moving.pop_if(|before| before.end >= moved.start) {
+                moved = before.start.min(moved.start)..before.end.max(moved.end);
+            }
+            self.moving.push(moved);
+        }
+        self.pressed = pressed;
+    }
+
+    /// Every span is to be looked at.
+    fn all_move(&mut self) {
+        self.moving.clear();
+        self.moving.push(0..self.strips.len());
     }
 
     /// The tolerance of span `k`.
@@ -342,9 +387,9 @@ impl<const N: usize> Fit<N> {
         self.strips[k].load
     }
 
-    /// Makes spans as stiff as their speed asks for. Before an end that is still `open`, `ℓ` is no more than a share of what
-    /// is known behind.
-    pub fn stiffen(&mut self, open: bool) {
+    /// Makes spans as stiff as their speed asks for: `ℓ` is `stiff` times what would spend tolerance and jerk alike. Before an end that
+    /// is still `open`, it is no more than a share of what is known behind.
+    pub fn stiffen(&mut self, open: bool, stiff: f64) {
         let mut known: f64 = self.pace.stretches.iter().map(|stretch| stretch.len).sum();
         for (k, strip) in self.strips.iter_mut().enumerate() {
             let len = self.pace.stretches[k].len;
@@ -353,9 +398,9 @@ impl<const N: usize> Fit<N> {
             if strip.tolerance == 0.0 {
                 continue;
             }
-            let l = (STIFF * self.pace.reach(k, strip.tolerance)).min(STIFFEST * len).min(most);
+            let l = (stiff * self.pace.reach(k, strip.tolerance)).min(STIFFEST * len).min(most);
             let cube = l * l * l;
-            strip.stiffen(cube * cube * len - strip.stiff);
+            strip.stiffen(cube * cube * len - strip.stiff, &mut self.sums[k..]);
         }
     }
 
@@ -381,11 +426,11 @@ impl<const N: usize> Fit<N> {
             return false;
         }
         let mean = (sum / len).sqrt();
-        for strip in &mut self.strips {
+        for (k, strip) in self.strips.iter_mut().enumerate() {
             if strip.load > 0.0 {
                 let [stiffer, softer] = MOST_LEVEL;
                 let factor = (strip.load / mean).powf(LEVEL).clamp(softer.recip(), stiffer);
-                strip.stiffen(strip.stiff * (factor - 1.0));
+                strip.stiffen(strip.stiff * (factor - 1.0), &mut self.sums[k..]);
             }
         }
         true
@@ -406,51 +451,48 @@ impl<const N: usize> Fit<N> {
     /// row have come out as they were.
     fn solve_about(&mut self, changed: Range<usize>, least: f64) -> Range<usize> {
         let total = self.controls.len();
-        self.rows.resize(total, [0.0; BAND]);
-        self.sides.resize(total, [0.0; N]);
+        self.factors.resize(total, Row::ZERO);
         self.ways.resize(total, 0.0);
-        // The three rows and right sides above, the nearest first.
-        let above = |k: usize| changed.start.checked_sub(k);
-        let mut rows: [[f64; BAND]; 3] =
-            std::array::from_fn(|k| above(k + 1).map_or([0.0; BAND], |i| self.rows[i]));
-        let mut sides: [[f64; N]; 3] =
-            std::array::from_fn(|k| above(k + 1).map_or([0.0; N], |i| self.sides[i]));
+        // The three rows above, the nearest first.
+        let mut above: [Row<N>; 3] =
+            std::array::from_fn(|k| changed.start.checked_sub(k + 1).map_or(Row::ZERO, |i| self.factors[i]));
         let (mut end, mut same) = (total, 0);
         for i in changed.start..total {
-            let ([a0, a1, a2, a3], mut side) = self.row(i);
+            let Row { entries: [a0, a1, a2, a3], mut side } = self.row(i);
             // Entries of `L·D`, then of `L`.
+            let [[d0, l01, l02, _], [d1, l11, ..], [d2, ..]] = above.map(|row| row.entries);
             let e3 = a3;
-            let e2 = a2 - e3 * rows[1][1];
-            let e1 = a1 - e2 * rows[0][1] - e3 * rows[0][2];
-            let (l1, l2, l3) = (e1 * rows[0][0], e2 * rows[1][0], e3 * rows[2][0]);
+            let e2 = a2 - e3 * l11;
+            let e1 = a1 - e2 * l01 - e3 * l02;
+            let (l1, l2, l3) = (e1 * d0, e2 * d1, e3 * d2);
             let d = a0 - e1 * l1 - e2 * l2 - e3 * l3;
-            let row = [larger(d, f64::MIN_POSITIVE).recip(), l1, l2, l3];
+            let entries = [larger(d, f64::MIN_POSITIVE).recip(), l1, l2, l3];
             for axis in 0..N {
-                side[axis] -= l1 * sides[0][axis] + l2 * sides[1][axis] + l3 * sides[2][axis];
+                side[axis] -= l1 * above[0].side[axis] + l2 * above[1].side[axis] + l3 * above[2].side[axis];
             }
-            let (old_row, old_side) = (&mut self.rows[i], &mut self.sides[i]);
+            let row = Row { entries, side };
+            let old = std::mem::replace(&mut self.factors[i], row);
             let is_same = i >= changed.end + BAND - 1
-                && (row[0] - old_row[0]).abs() <= SAME * row[0]
-                && (1..BAND).all(|k| (row[k] - old_row[k]).abs() <= SAME)
-                && (0..N).all(|axis| (side[axis] - old_side[axis]).abs() * row[0] <= least);
+                && (entries[0] - old.entries[0]).abs() <= SAME * entries[0]
+                && (1..BAND).all(|k| (entries[k] - old.entries[k]).abs() <= SAME)
+                && (0..N).all(|axis| (side[axis] - old.side[axis]).abs() * entries[0] <= least);
             same = if is_same { same + 1 } else { 0 };
-            (*old_row, *old_side) = (row, side);
             if same == BAND - 1 {
                 end = i + 1;
                 break;
             }
-            rows = [row, rows[0], rows[1]];
-            sides = [side, sides[0], sides[1]];
+            above = [row, above[0], above[1]];
         }
+        // Entries of `L` in the three rows below, and how these control points are moved.
         let below = |k: usize| (end + k < total).then_some(end + k);
         let mut rows: [[f64; BAND]; 3] =
-            std::array::from_fn(|k| below(k).map_or([0.0; BAND], |i| self.rows[i]));
+            std::array::from_fn(|k| below(k).map_or([0.0; BAND], |i| self.factors[i].entries));
         let mut low: [[f64; N]; 3] = std::array::from_fn(|k| below(k).map_or([0.0; N], |i| self.moved[i]));
         let (mut begin, mut same) = (0, 0);
         for i in (0..end).rev() {
-            let (row, side) = (&self.rows[i], &self.sides[i]);
+            let Row { entries, side } = &self.factors[i];
             let moved = std::array::from_fn(|axis| {
-                side[axis] * row[0]
+                side[axis] * entries[0]
                     - rows[0][1] * low[0][axis]
                     - rows[1][2] * low[1][axis]
                     - rows[2][3] * low[2][axis]
@@ -465,7 +507,7 @@ impl<const N: usize> Fit<N> {
                 begin = i;
                 break;
             }
-            rows = [*row, rows[0], rows[1]];
+            rows = [*entries, rows[0], rows[1]];
             low = [moved, low[0], low[1]];
         }
         // No place of a span moves further than the control point that moves the furthest.
@@ -480,50 +522,42 @@ impl<const N: usize> Fit<N> {
         spans
     }
 
-    /// Row `i` of the normal equations, the sum of what the spans add to it: its entries from the diagonal on to the left, and
-    /// its right side. A control point that stands is not moved.
+    /// Row `i` of the normal equations, in which control points that stand are not moved.
     #[inline]
-    fn row(&self, i: usize) -> ([f64; BAND], [f64; N]) {
-        let (mut row, mut side) = ([0.0; BAND], [0.0; N]);
+    fn row(&self, i: usize) -> Row<N> {
         if !self.is_free[i] {
-            return ([1.0, 0.0, 0.0, 0.0], side);
+            return Row::STANDING;
         }
-        for own in (0..BAND).rev() {
-            let Some(strip) = i.checked_sub(own).and_then(|k| self.strips.get(k)) else { continue };
-            for back in 0..BAND {
-                row[back] += strip.gram[own][back];
-            }
-            for axis in 0..N {
-                side[axis] += strip.side[own][axis];
-            }
-        }
+        let mut row = self.sums[i];
         for back in 1..BAND {
             if i.checked_sub(back).is_some_and(|k| !self.is_free[k]) {
-                row[back] = 0.0;
+                row.entries[back] = 0.0;
             }
         }
-        (row, side)
+        row
     }
 
     /// Weighs more where the spline is far from the lines.
     pub fn press_all(&mut self) {
-        self.press(0..self.strips.len(), self.pressure().closer, 1.0);
+        self.all_move();
+        self.press(self.pressure().closer, 1.0);
     }
 
     fn pressure(&self) -> Pressure {
         if self.is_much_slow() { PRESSURE_WHERE_SLOW } else { PRESSURE }
     }
 
-    /// Weighs more where one of these spans is far from the lines, by how far and a little `closer`, to this power: which are, and
-    /// how far at most, as a share of the square of the limit.
-    fn press(&mut self, spans: Range<usize>, closer: f64, power: f64) -> (Range<usize>, f64) {
-        let (mut most, mut first, mut behind) = (0.0_f64, usize::MAX, 0);
-        for k in spans {
+    /// Weighs more where a span that has moved is far from the lines, by how far and a little `closer`, to this power: how far at
+    /// most, as a share of the square of the limit.
+    fn press(&mut self, closer: f64, power: f64) -> f64 {
+        let mut most = 0.0_f64;
+        self.pressed.clear();
+        for k in self.moving.iter().cloned().flatten() {
             let strip = &mut self.strips[k];
-            let moved = &self.moved[k..k + BAND];
             if strip.room > 0.0 {
                 continue;
             }
+            let moved = &self.moved[k..k + BAND];
             let [from, to] = strip.looks;
             let (mut nearest, mut closest) = (0.0_f64, 0.0_f64);
             for look in &mut self.looks[from..to] {
@@ -537,15 +571,21 @@ impl<const N: usize> Fit<N> {
                     let more = power * beyond * (1.0 + 0.5 * (power - 1.0) * beyond);
                     let more = look.weight * more.min(MOST_CLOSER - 1.0);
                     look.weight += more;
-                    strip.press(look, more);
-                    strip.is_pressed = true;
-                    most = most.max(over);
-                    (first, behind) = (first.min(k), k + 1);
+                    if let Some(sums) = self.sums[k..].first_chunk_mut() {
+                        add(sums, more, &look.basis, &look.p);
+                    }
+                }
+            }
+            if nearest > 1.0 {
+                most = most.max(nearest);
+                match self.pressed.last_mut() {
+                    Some(spans) if k < spans.end + APART => spans.end = k + 1,
+                    _ => self.pressed.push(k..k + 1),
                 }
             }
             strip.room = (1.0 - nearest.sqrt()) / closest.sqrt();
         }
-        (first..behind, most)
+        most
     }
 }
 
@@ -558,27 +598,11 @@ impl<const N: usize> Strip<N> {
         })
     }
 
-    /// Makes it stiffer by so much.
-    fn stiffen(&mut self, more: f64) {
+    /// Makes it stiffer by so much; `sums` are the rows from its first control point on.
+    fn stiffen(&mut self, more: f64, sums: &mut [Row<N>]) {
         self.stiff += more;
-        add(&mut self.gram, &self.third, more);
-        for i in 0..BAND {
-            let share = more * self.third[i];
-            for axis in 0..N {
-                self.side[i][axis] -= share * self.first_third[axis];
-            }
-        }
-    }
-
-    /// Adds the place with this weight.
-    #[inline]
-    fn press(&mut self, look: &Look<N>, weight: f64) {
-        add(&mut self.gram, &look.basis, weight);
-        for i in 0..BAND {
-            let share = weight * look.basis[i];
-            for axis in 0..N {
-                self.side[i][axis] += share * look.p[axis];
-            }
+        if let Some(sums) = sums.first_chunk_mut() {
+            add(sums, more, &self.third, &self.first_third.map(|c| -c));
         }
     }
 }
@@ -595,13 +619,16 @@ fn apart<const N: usize>(a: [f64; N], b: [f64; N]) -> [f64; N] {
     std::array::from_fn(|i| a[i] - b[i])
 }
 
-/// Adds `weight·gᵢ·gⱼ`.
+/// Adds `weight·|Σ gᵢ·cᵢ − p|²` to what is to be least: to the rows of these control points.
 #[inline]
-fn add(gram: &mut [[f64; BAND]; BAND], g: &[f64; BAND], weight: f64) {
-    for i in 0..BAND {
+fn add<const N: usize>(rows: &mut [Row<N>; BAND], weight: f64, g: &[f64; BAND], p: &[f64; N]) {
+    for (i, row) in rows.iter_mut().enumerate() {
         let share = weight * g[i];
         for back in 0..=i {
-            gram[i][back] += share * g[i - back];
+            row.entries[back] += share * g[i - back];
+        }
+        for axis in 0..N {
+            row.side[axis] += share * p[axis];
         }
     }
 }

@@ -242,6 +242,8 @@ pub(crate) struct Grid {
     bulges: Vec<f64>,
     /// `gap/v` of the steps.
     times: Vec<f64>,
+    /// Steps of which less is used than before.
+    lessened: Vec<Range<usize>>,
     /// Whether the section ends before the port that was asked for, at rest, because there are too many steps.
     pub is_cut: bool,
 }
@@ -256,6 +258,7 @@ impl Grid {
             hull: Vec::with_capacity(STEPS + 8),
             bulges: Vec::with_capacity(STEPS + 8),
             times: Vec::with_capacity(STEPS + 8),
+            lessened: Vec::with_capacity(STEPS + 8),
             is_cut: false,
         }
     }
@@ -292,7 +295,7 @@ impl Grid {
                     step.from.v *= SLOWER;
                     step.from.a *= SLOWER * SLOWER;
                 }
-                if self.check(queue, SAFELY_LESS).is_none() {
+                if self.check(queue, SAFELY_LESS) {
                     return true;
                 }
             }
@@ -565,8 +568,10 @@ impl Grid {
                 Care::Bold => LESS - EVERY_ROUND * round as f64,
                 Care::Safe => SAFELY_LESS,
             };
-            let Some(beyond) = self.check(queue, less) else { return true };
-            if !self.pass_about(beyond, from) && !self.pass(from) {
+            if self.check(queue, less) {
+                return true;
+            }
+            if !self.pass_about_lessened(from) && !self.pass(from) {
                 return false;
             }
         }
@@ -578,11 +583,32 @@ impl Grid {
         self.pass_over(0..self.steps.len(), from)
     }
 
+    /// The same about the steps of which less is used: where a steady speed lies between them, each on its own. `false` if that is
+    /// not all that changes.
+    fn pass_about_lessened(&mut self, from: Port) -> bool {
+        let lessened = std::mem::take(&mut self.lessened);
+        let mut rest = lessened.iter().cloned();
+        let mut goes = true;
+        if let Some(mut about) = rest.next() {
+            for next in rest {
+                let between = self.steps.get(about.end..next.start).unwrap_or(&[]);
+                if between.windows(RUN).any(is_steady) {
+                    goes = goes && self.pass_about(about, from);
+                    about = next;
+                } else {
+                    about.end = about.end.max(next.end);
+                }
+            }
+            goes = goes && self.pass_about(about, from);
+        }
+        self.lessened = lessened;
+        goes
+    }
+
     /// The same about the steps `changed`, from one place where the speed is the cap to the next: what is beyond stays as it is.
     /// `false` if it does not.
     fn pass_about(&mut self, changed: Range<usize>, from: Port) -> bool {
         let n = self.steps.len();
-        let is_steady = |steps: &[Step]| steps.iter().all(|step| step.by == By::Cap && step.is_at_cap());
         let before = self.steps[..changed.start].windows(RUN).rposition(is_steady);
         let behind = self.steps[changed.end..].windows(RUN).position(is_steady);
         let begin = before.map_or(0, |k| k + RUN / 2);
@@ -820,10 +846,9 @@ impl Grid {
         }
     }
 
-    /// Pass 6: `None` if every piece keeps all bounds; where not, that much less is used next time, from the first step of which
-    /// it is less to the last.
-    fn check(&mut self, queue: &Queue, less: f64) -> Option<Range<usize>> {
-        let mut beyond: Option<Range<usize>> = None;
+    /// Pass 6: whether every piece keeps all bounds; where not, that much less is used next time.
+    fn check(&mut self, queue: &Queue, less: f64) -> bool {
+        self.lessened.clear();
         let n = self.steps.len();
         for i in 0..n {
             let here = &self.steps[i];
@@ -843,16 +868,21 @@ impl Grid {
             if !(used <= ROUNDING) {
                 let less = (less / used).max(MUCH_LESS);
                 let about = i.saturating_sub(1)..(i + 2).min(n);
-                beyond = Some(beyond.map_or(about.start, |beyond| beyond.start)..about.end);
-                for step in &mut self.steps[about] {
+                for step in &mut self.steps[about.clone()] {
                     step.share = (step.share * less).max(LEAST_SHARE);
                 }
+                self.lessened.push(about);
             } else {
                 self.known[i].good = Some([here.from, to]);
             }
         }
-        beyond
+        self.lessened.is_empty()
     }
+}
+
+/// Whether all of these are at a cap.
+fn is_steady(steps: &[Step]) -> bool {
+    steps.iter().all(|step| step.by == By::Cap && step.is_at_cap())
 }
 
 /// The states in the middle and at the end of a step that is entered in `state` with growing acceleration, which may

@@ -12,10 +12,13 @@ const END_WEIGHT: f64 = 1e6;
 const LEAST_LOOKS: usize = 2;
 const MOST_LOOKS: usize = 5;
 
-/// How long slow spans are.
+/// How closely slow spans are fitted.
 #[derive(Clone, Copy, Debug)]
 struct Fineness {
-    /// At most, as a share of what is smoothed away there.
+    /// `ℓ` is so many times what would spend tolerance and jerk alike ([`crate::path::fit`]): the least of the squares still has more
+    /// jerk in a turn than beside it.
+    stiff: f64,
+    /// How long they are at most, as a share of what is smoothed away there.
     split: f64,
     /// Where less of the jerk is taken than this, there and near by, there is less to bend for: it may be so much longer, up to so
     /// many times what is smoothed away.
@@ -23,11 +26,11 @@ struct Fineness {
     longest: f64,
 }
 
-const FINE: Fineness = Fineness { split: 0.27, bends: 0.3, longest: 10.0 };
+const FINE: Fineness = Fineness { stiff: 1.1, split: 0.27, bends: 0.3, longest: 10.0 };
 
-/// The same where turns are few among many lines, of which there are so many at least: a raster of long rows takes 0.3 % longer, and
-/// a third more of it is planned in a second.
-const FINE_FOR_FEW: Fineness = Fineness { split: 0.5, bends: 0.5, longest: 20.0 };
+/// The same where turns are few among many lines, of which there are so many at least: there the speeds are not found once more behind
+/// the first stiff curve, which is a little stiffer instead.
+const FINE_FOR_FEW: Fineness = Fineness { stiff: 1.3, split: 0.5, bends: 0.7, longest: 20.0 };
 const MANY_LINES: usize = 128;
 
 /// So many parts are enough.
@@ -95,11 +98,14 @@ impl Smoother {
         if self.set(fit, turns, open) {
             fit.solve();
             fit.find_pace(&self.soft);
+            let mut is_rough = false;
             if fit.pace.is_slow() {
                 self.turns_are_few = self.lines() >= MANY_LINES && !fit.is_much_slow();
-                self.pace(fit, turns, open);
+                // A way from rest or to rest is long in time.
+                is_rough = self.turns_are_few && !fit.pace.ends.contains(&0.0);
+                self.pace(fit, turns, open, is_rough);
             }
-            fit.close();
+            fit.close(is_rough);
             for (control, moved) in self.controls.iter_mut().zip(&fit.moved) {
                 for i in 0..N {
                     control[i] += moved[i];
@@ -118,19 +124,23 @@ impl Smoother {
     }
 
     /// Makes the fit as fine and as stiff as the speed asks for.
-    fn pace<const N: usize>(&mut self, fit: &mut Fit<N>, turns: [bool; 2], open: bool) {
-        if !self.split(fit, open) {
+    fn pace<const N: usize>(&mut self, fit: &mut Fit<N>, turns: [bool; 2], open: bool, is_rough: bool) {
+        let fine = if is_rough { FINE_FOR_FEW } else { FINE };
+        if !self.split(fit, open, fine) {
             return;
         }
         self.place_on_chords();
         fit.clear_for_finer();
         self.set(fit, turns, open);
         fit.pace.take_parts();
-        fit.stiffen(open);
+        fit.stiffen(open, fine.stiff);
         fit.solve();
+        if is_rough {
+            return;
+        }
         let with_its_speeds = |fit: &mut Fit<N>| {
             fit.find_pace(&self.soft);
-            fit.stiffen(open);
+            fit.stiffen(open, fine.stiff);
             fit.press_all();
             fit.solve();
         };
@@ -172,13 +182,14 @@ impl Smoother {
                 self.tie_end(fit, k);
             }
         }
+        fit.sum_up();
         true
     }
 
     /// Puts knots into slow spans that are longer than what is to be smoothed away there. Whether there are any. Knots stay
     /// as they are close to an end that something is joined to, where the spline has to bend away from the line, and close
     /// to an open one, where it is still to change.
-    fn split<const N: usize>(&mut self, fit: &mut Fit<N>, open: bool) -> bool {
+    fn split<const N: usize>(&mut self, fit: &mut Fit<N>, open: bool, fine: Fineness) -> bool {
         let spans = self.knots.len().saturating_sub(5);
         let standing = if self.goes_on { STANDING_KNOTS - 3 } else { 0 };
         // No more than cells are kept room for.
@@ -186,7 +197,7 @@ impl Smoother {
         self.finer.clear();
         self.is_finer_dense.clear();
         self.origins.clear();
-        let Fineness { split, bends, longest } = if self.turns_are_few { FINE_FOR_FEW } else { FINE };
+        let Fineness { split, bends, longest, .. } = fine;
         fit.find_loads(&self.soft);
         fit.pace.begin_split();
         self.finer.extend_from_slice(&self.knots[..3]);
