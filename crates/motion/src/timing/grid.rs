@@ -34,11 +34,11 @@ use std::ops::Range;
 const TAU: f64 = 0.004;
 
 /// The same where turns are few: what is lost is found again in the valleys ([`crate::timing::valley`]).
-const TAU_OF_FEW: f64 = 0.006;
+const TAU_OF_FEW: f64 = 0.007;
 
-/// Cells that are run in so much less time are one step: where the path turns they are many, and what is lost by taking the
-/// lowest of their bounds is found again in the valley there ([`crate::timing::valley`]).
-const BRIEF: f64 = 1.5 * TAU;
+/// Cells that are run in less time than so many times that are one step: where the path turns they are many, and what is lost by taking
+/// the lowest of their bounds is found again in the valley there ([`crate::timing::valley`]).
+const BRIEF: f64 = 1.5;
 
 /// The first step from rest at least, where the jerk is not limited, s.
 const FIRST: f64 = TAU / 16.0;
@@ -101,10 +101,19 @@ const LEAST_SUMMIT: f64 = 1e-6;
 /// How a plan is looked for.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 enum Care {
+    /// In longer steps, with bounds found once. There may be no way to a corner then where there is one with others.
+    Rough,
     /// With the bounds at about the speed that results.
     Bold,
     /// With bounds at more than that speed, where this fails.
     Safe,
+}
+
+impl Care {
+    /// Length of steps in time, s.
+    fn tau(self) -> f64 {
+        if self == Care::Rough { TAU_OF_FEW } else { TAU }
+    }
 }
 
 /// What decides the speed of a step.
@@ -276,12 +285,10 @@ impl Grid {
     ) -> bool {
         self.to = to;
         self.reach_cells(queue, from, first, last, &cap);
-        // With longer steps there may be no way to a corner where there is one with others.
         let are_few = queue.node(first).turns_are_few;
-        let ways = [(TAU_OF_FEW, Care::Bold), (TAU, Care::Bold), (TAU, Care::Safe)];
-        for (tau, care) in ways.into_iter().skip(usize::from(!are_few)) {
+        for care in [Care::Rough, Care::Bold, Care::Safe].into_iter().skip(usize::from(!are_few)) {
             self.to = to;
-            self.place(queue, from, [first, last], tau, &cap);
+            self.place(queue, from, [first, last], care.tau(), &cap);
             if self.steps.is_empty() {
                 return false;
             }
@@ -388,12 +395,13 @@ impl Grid {
         (farthest, least)
     }
 
-    /// The same of cells that are run in [`BRIEF`] all together; the section begins at the length `from`.
+    /// The same of cells that are run in less than `most` seconds all together; the section begins at the length `from`.
     fn brief(
         &self,
         queue: &Queue,
         [first, cell, last]: [u64; 3],
         from: f64,
+        most: f64,
         cap: &impl Fn(&Node) -> f64,
     ) -> (u64, f64) {
         let begin = queue.node(cell).s.max(from);
@@ -405,7 +413,7 @@ impl Grid {
             let there = cap(next);
             slowest = slowest.min(there).min(end_of(farthest + 2));
             let is_path = node.pass == Pass::Path && next.pass == Pass::Path;
-            if !is_path || next.end() - begin > BRIEF * slowest {
+            if !is_path || next.end() - begin > most * slowest {
                 break;
             }
             (farthest, least) = (farthest + 1, least.min(there));
@@ -430,8 +438,11 @@ impl Grid {
             let mut cell = next;
             let alike = self.alike(queue, [first, cell, last], from.state.v, cap);
             let is_alike = alike.0 > cell;
-            let (farthest, here) =
-                if is_alike { alike } else { self.brief(queue, [first, cell, last], from.s, cap) };
+            let (farthest, here) = if is_alike {
+                alike
+            } else {
+                self.brief(queue, [first, cell, last], from.s, BRIEF * tau, cap)
+            };
             let is_brief = !is_alike && farthest > cell;
             next = farthest + 1;
             let (left_node, right_node) = (queue.node(cell), queue.node(farthest));
@@ -565,7 +576,7 @@ impl Grid {
         self.round_off(all, from);
         for round in 0..ROUNDS {
             let less = match care {
-                Care::Bold => LESS - EVERY_ROUND * round as f64,
+                Care::Rough | Care::Bold => LESS - EVERY_ROUND * round as f64,
                 Care::Safe => SAFELY_LESS,
             };
             if self.check(queue, less) {

@@ -78,17 +78,18 @@ struct Effort {
     gap: f64,
     /// What may be left of by how much slacks and bounds differed.
     apart: f64,
+    /// How far the path turns in a step at most, rad.
+    turn: f64,
 }
 
-const CLOSE: Effort = Effort { tau: 0.004, gap: 2e-3, apart: 0.01 };
+const CLOSE: Effort = Effort { tau: 0.004, gap: 2e-3, apart: 0.01, turn: 0.1 };
 
 /// The same where turns are few and it rests at neither end: a raster of long rows takes 0.1 % longer, and a tenth more of it is
 /// planned in a second.
-const ROUGH: Effort = Effort { tau: 0.009, gap: 2e-2, apart: 0.03 };
+const ROUGH: Effort = Effort { tau: 0.009, gap: 2e-2, apart: 0.03, turn: 0.15 };
 
-/// How far the path turns in a step at most, rad; where jerk is limited, it need not be shorter in time than so much for that, s,
-/// unless it turns as far as [`MOST_TURN`] then.
-const TURN: f64 = 0.1;
+/// Where jerk is limited, a step need not be shorter in time than so much for how far the path turns in it, s, unless that is as far as
+/// [`MOST_TURN`] then.
 const LEAST_TAU: f64 = 0.002;
 const MOST_TURN: f64 = 0.3;
 
@@ -340,7 +341,7 @@ impl Valley {
             let inverse = road.inverses.of(road.queue.node(cell).class);
             let is_free = inverse.is_free_of_jerk(&derivatives[0]);
             let least = if is_free { 0.0 } else { (LEAST_TAU * v).min(MOST_TURN / turn) };
-            h = h.min((TURN / turn).max(least)).max(1e-6);
+            h = h.min((self.effort.turn / turn).max(least)).max(1e-6);
             // It ends where the path changes, if that is about there, and does not reach over a jump.
             let (mut to, mut next) = (s + h, cell);
             while next + 1 < road.queue.tail() && road.queue.node(next).end() <= s + 1.3 * h {
