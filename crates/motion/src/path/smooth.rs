@@ -48,9 +48,8 @@ const SAME_PLACE: f64 = 1e-6;
 /// Knots: ten more a line at most.
 const KNOTS: usize = KNOTS_A_LINE * (POINTS + SPARE) + 32;
 
-/// Places in which spans are set against the lines, of those before knots were put in too: no span that is on fewer than three lines
-/// has more than three.
-const LOOKS: usize = 8 * KNOTS;
+/// Places in which spans are set against the lines, of those before knots were put in too: no span has more than three.
+const LOOKS: usize = 6 * KNOTS;
 
 /// How far smoothing goes, from the boldest on.
 struct Level {

@@ -7,10 +7,9 @@ use crate::path::pace::Stretch;
 /// Weight of the ends of a run, against that of a place inside.
 const END_WEIGHT: f64 = 1e6;
 
-/// In how many places a span is set against the lines. With three to sixteen of them runs are no quicker, with or without rounding of
-/// coordinates, and planning takes 6 % longer.
-const LEAST_LOOKS: usize = 2;
-const MOST_LOOKS: usize = 5;
+/// In how many places a span is set against the lines; more where it lies on two or three of them. With up to sixteen runs are no
+/// quicker, with or without rounding of coordinates, and planning takes longer.
+const LOOKS: usize = 2;
 
 /// How closely slow spans are fitted.
 #[derive(Clone, Copy, Debug)]
@@ -304,12 +303,12 @@ impl Smoother {
                 let limit = point.tolerance * point.level().close;
                 fit.look_at(place.weights(u), weight, on(line, u), limit);
             };
-            if lines < LEAST_LOOKS {
+            if lines < LOOKS {
                 // At every vertex, and between them.
                 let mut from = begin;
                 for line in line..=last {
                     let to = if line == last { end } else { self.points[line + 1].u.min(end) };
-                    let looks = (LEAST_LOOKS as f64 * (to - from) / len).ceil().max(1.0);
+                    let looks = (LOOKS as f64 * (to - from) / len).ceil().max(1.0);
                     let weight = (to - from) / looks;
                     for i in 0..looks as usize {
                         look(line, from + weight * i as f64, weight);
@@ -318,10 +317,9 @@ impl Smoother {
                 }
                 continue;
             }
-            let looks = (lines + 1).min(MOST_LOOKS);
-            let weight = len / looks as f64;
+            let weight = len / LOOKS as f64;
             let mut line = line;
-            for i in 0..looks {
+            for i in 0..LOOKS {
                 let u = begin + weight * i as f64;
                 line = self.segment(u, line);
                 look(line, u, weight);
