@@ -129,7 +129,11 @@ impl Cubic {
     /// measured along ([`stretch`]).
     pub fn rates<const N: usize>(&self, share: f64) -> (Rates<N>, f64) {
         let hull = self.hull::<N>();
-        let stretch = hull.iter().map(|d| stretch(d, share)).fold(0.0, f64::max);
+        let stretch = if share == 1.0 {
+            highest(&hull)
+        } else {
+            hull.iter().map(|d| stretch(d, share)).fold(0.0, f64::max)
+        };
         let rates = Rates {
             first: std::array::from_fn(|i| {
                 larger(larger(hull[0][i].abs(), hull[1][i].abs()), hull[2][i].abs())
@@ -142,6 +146,14 @@ impl Cubic {
         };
         (rates, stretch)
     }
+}
+
+/// A bound of the length of X, Y and Z of a quadratic with these Bézier points, by the Bézier points of its square, which is one of the
+/// fourth degree: on an arc of the angle `θ` it is too much by `θ⁴`, where that of the points themselves is by `θ²/8`.
+fn highest<const N: usize>([a, b, c]: &[[f64; N]; 3]) -> f64 {
+    let dot = |a: &[f64; N], b: &[f64; N]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    let middle = (dot(a, c) + 2.0 * dot(b, b)) / 3.0;
+    larger(larger(dot(a, a), dot(c, c)), larger(middle, larger(dot(a, b), dot(b, c)))).sqrt()
 }
 
 /// How far what the feed is measured along goes in the direction `d`, against the line there: X, Y and Z, which go the `share` of its
