@@ -46,6 +46,7 @@ mod rows;
 mod solve;
 
 use crate::limits::Inverses;
+use crate::quick::larger;
 use crate::timing::piece::{Piece, ROUNDING, State};
 use crate::timing::queue::{Node, Queue};
 use band::Band;
@@ -101,6 +102,9 @@ const SHORTEST: f64 = 0.1;
 /// them, and a little, which is more each time. Where none is found the whole window is run by the plan before, up to a seventh
 /// slower, and four times were not always enough.
 const ROUNDS: usize = 8;
+
+/// Where that has not helped in so many rounds, what is beyond may be a bound that was far from the plan: once more with others.
+const TIGHTENED: usize = 3;
 const LESS: f64 = 1.2;
 const A_LITTLE: f64 = 5e-4;
 const MORE_A_TIME: f64 = 2.0;
@@ -250,10 +254,8 @@ impl Valley {
         self.loosen();
         self.planned.clone_from(&self.x);
         let planned = self.slacken();
-        let mut little = A_LITTLE;
+        let (mut little, mut gap) = (A_LITTLE, FIRST_GAP);
         for round in 0..ROUNDS {
-            // No closer than at first: what is closer to the least is beyond its bounds elsewhere.
-            let gap = if round == 0 { FIRST_GAP } else { NEXT_GAP.max(self.effort.gap) };
             let mut solution = self.solve(planned, gap);
             // From a solution that the tightened bounds have left, the way to the next is not always found: from the plan it is.
             if solution == Solution::None && round > 0 {
@@ -278,8 +280,25 @@ impl Valley {
                 break;
             }
             little *= MORE_A_TIME;
+            // No closer than at first: what is closer to the least is beyond its bounds elsewhere.
+            gap = NEXT_GAP.max(self.effort.gap);
+            if round == TIGHTENED && self.outgrew() {
+                self.bound_anew(road, first);
+                gap = FIRST_GAP;
+            }
         }
         Outcome::Broken
+    }
+
+    /// The bounds that are not far from what was found, from the plan on.
+    fn bound_anew<const N: usize>(&mut self, road: &Road<'_, N, impl Fn(&Node) -> f64>, first: u64) {
+        for (x, planned) in self.x.iter_mut().zip(&self.planned) {
+            *x = larger(*x, *planned);
+        }
+        self.bound(road, first);
+        self.x.clone_from(&self.planned);
+        self.loosen();
+        self.slacken();
     }
 
     /// What was found.

@@ -12,8 +12,8 @@ use ferrocut_geometry::AXES;
 const ACCELERATION_SHARE: f64 = 0.998;
 const JERK_SHARE: f64 = 0.993;
 
-/// Where a bound is far, it is none: a valley gets no faster than this share of `x` is more, and less than this share of a bound
-/// is used then.
+/// Where a bound is far, it is none: less than the second share of it is used where `x` is the first times as much. A solution that is
+/// faster somewhere is looked for again, with the bounds that are not far from it.
 const FASTER: f64 = 3.0;
 const HARMLESS: f64 = 0.95;
 
@@ -107,12 +107,19 @@ impl Valley {
         }
     }
 
-    /// Bounds as tight as they were for the steps that are taken over, and looser where what was found there is on one of them.
+    /// Whether it is so much faster than the plan somewhere that bounds which were far from that may be none of those set.
+    pub(super) fn outgrew(&self) -> bool {
+        let free = 2..self.h.len() - 2;
+        self.x[free.clone()].iter().zip(&self.planned[free]).any(|(x, planned)| *x > FASTER * planned)
+    }
+
+    /// Bounds as tight as they were for the steps that are taken over, and as far as they were tightened since; looser where what was
+    /// found for those steps is on one of them.
     pub(super) fn loosen(&mut self) {
+        self.rows.tighten(&self.tighter);
         if self.taken == 0 {
             return;
         }
-        self.rows.tighten(&self.tighter);
         self.look();
         for block in &mut self.rows.blocks {
             for i in (0..LANES).filter(|i| block.base + i + 2 <= self.taken) {
