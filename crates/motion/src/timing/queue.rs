@@ -22,9 +22,9 @@ pub(crate) const CELLS: usize = 8192;
 pub(crate) const MARKS: usize = 8192;
 
 /// Cells and marks that are kept behind the axes at least.
-pub(crate) const PASSED: usize = 4096;
+pub(crate) const PASSED: usize = 8192;
 
-/// Places of both rings.
+/// Places of both rings: powers of two, so that the place of a number is found without a division.
 pub(crate) const CELL_RING: usize = CELLS + PASSED;
 pub(crate) const MARK_RING: usize = MARKS + PASSED;
 
