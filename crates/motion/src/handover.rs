@@ -23,15 +23,15 @@
 
 use crate::timing::axes::AxesRun;
 use crate::timing::plan::{STRETCHES, Stretch};
-use crate::timing::queue::{CELL_RING, Cell, MARK_RING, Mark, Node};
+use crate::timing::queue::{CELLS, Cell, MARKS, Mark, Node};
 use rtrb::{Consumer, Producer, RingBuffer};
 use std::collections::VecDeque;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 /// Places in the rings: what the planner knows, and as much again that was passed or replaced meanwhile.
-const CELL_PLACES: usize = 2 * CELL_RING;
-const MARK_PLACES: usize = 2 * MARK_RING;
+const CELL_PLACES: usize = 2 * CELLS;
+const MARK_PLACES: usize = 2 * MARKS;
 const STRETCH_PLACES: usize = 3 * STRETCHES;
 
 /// Changes on their way: [`CHANGES_A_PERIOD`](crate::planner) for every period that the planner may be ahead.
