@@ -21,9 +21,11 @@
 //!
 //! Nobody waits, nothing is locked, and what is read is copied: nothing is freed in the period.
 
+use crate::path::shape::{Cubic, Shape};
 use crate::timing::axes::AxesRun;
 use crate::timing::plan::{STRETCHES, Stretch};
 use crate::timing::queue::{CELLS, Cell, MARKS, Mark, Node};
+use ferrocut_geometry::{AXES, Position};
 use rtrb::{Consumer, Producer, RingBuffer};
 use std::collections::VecDeque;
 use std::sync::Arc;
@@ -96,18 +98,63 @@ impl Gate {
 }
 
 /// A cell, as interpolation needs it.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Strip {
+#[derive(Debug)]
+pub(crate) struct Strip<'a> {
     /// Length at its start, mm.
     pub s: f64,
     pub len: f64,
-    pub rests: bool,
-    pub cell: Cell,
+    pub cell: &'a Cell,
 }
 
-impl Strip {
-    pub fn new(node: &Node, cell: &Cell) -> Strip {
-        Strip { s: node.s, len: node.len, rests: node.rests, cell: *cell }
+impl<'a> Strip<'a> {
+    pub fn new(node: &Node, cell: &'a Cell) -> Strip<'a> {
+        Strip { s: node.s, len: node.len, cell }
+    }
+}
+
+/// A cell on its way.
+#[derive(Clone, Copy, Debug)]
+struct Slip {
+    s: f64,
+    len: f64,
+    rests: bool,
+    form: Form,
+    /// How many cells were handed over whole, up to this one.
+    wholes: u64,
+}
+
+/// Most cells are of smoothed runs in X, Y and Z: what such a one has takes a third of the room that the largest has.
+#[derive(Clone, Copy, Debug)]
+enum Form {
+    /// Coefficients of X, Y and Z, and where the other axes stand.
+    Curve([[f64; 3]; 4], [f64; AXES - 3]),
+    /// A cell of its own.
+    Whole,
+}
+
+impl Form {
+    #[inline]
+    fn of(cell: &Cell) -> Form {
+        match &cell.shape {
+            Shape::Cubic(cubic) if cell.rest.is_none() && !cell.is_back && !cubic.moves_others() => {
+                let [x, y, z, others @ ..] = cubic.c[0].0;
+                let [_, c1, c2, c3] = cubic.c.map(|c| [c.0[0], c.0[1], c.0[2]]);
+                Form::Curve([[x, y, z], c1, c2, c3], others)
+            }
+            _ => Form::Whole,
+        }
+    }
+
+    /// The cell of this length that it is; `None` of one of its own.
+    #[inline]
+    fn cell(&self, len: f64) -> Option<Cell> {
+        let Form::Curve(c, others) = self else { return None };
+        let mut cubic = Cubic { c: [Position::ZERO; 4], len };
+        for (to, c) in cubic.c.iter_mut().zip(c) {
+            to.0[..3].copy_from_slice(c);
+        }
+        cubic.c[0].0[3..].copy_from_slice(others);
+        Some(Cell::new(Shape::Cubic(cubic), None))
     }
 }
 
@@ -146,7 +193,10 @@ pub(crate) struct Sender {
     stretches: Producer<Stretch>,
     /// How many were put in.
     places: u64,
-    cells: Producer<Strip>,
+    cells: Producer<Slip>,
+    /// Those of them that are handed over whole, and how many were.
+    wholes: Producer<Cell>,
+    count: u64,
     marks: Producer<Mark>,
     runs: Producer<AxesRun>,
     changes: Producer<Dated>,
@@ -159,6 +209,7 @@ impl Sender {
     pub fn has_room(&self, stretches: usize, cells: usize, marks: usize) -> bool {
         self.stretches.slots() >= stretches
             && self.cells.slots() >= cells
+            && self.wholes.slots() >= cells
             && self.marks.slots() >= marks
             && self.changes.slots() >= 2
             && self.runs.slots() >= 1
@@ -166,8 +217,19 @@ impl Sender {
     }
 
     /// Adds a cell; whether there was room.
-    pub fn cell(&mut self, strip: Strip) -> bool {
-        self.cells.push(strip).is_ok()
+    pub fn cell(&mut self, node: &Node, cell: &Cell) -> bool {
+        if self.cells.is_full() {
+            return false;
+        }
+        let form = Form::of(cell);
+        if matches!(form, Form::Whole) {
+            if self.wholes.push(*cell).is_err() {
+                return false;
+            }
+            self.count += 1;
+        }
+        let slip = Slip { s: node.s, len: node.len, rests: node.rests, form, wholes: self.count };
+        self.cells.push(slip).is_ok()
     }
 
     /// Adds marks; whether there was room.
@@ -218,7 +280,8 @@ struct Run {
 pub(crate) struct Receiver {
     gate: Arc<Gate>,
     stretches: Reader<Stretch>,
-    cells: Reader<Strip>,
+    cells: Reader<Slip>,
+    wholes: Reader<Cell>,
     marks: Reader<Mark>,
     runs: Consumer<AxesRun>,
     changes: Consumer<Dated>,
@@ -302,7 +365,9 @@ impl Receiver {
             let place = run.place + self.current.saturating_sub(run.from);
             self.stretches.release(place);
         }
-        self.cells.release(self.cell);
+        if let Some(passed) = self.cells.release(self.cell) {
+            self.wholes.release(passed.wholes);
+        }
         self.marks.release(self.mark);
         self.gate.end(period);
     }
@@ -330,7 +395,7 @@ impl Receiver {
 
     /// The cell in which `s` lies.
     pub fn pass(&mut self, s: f64) -> u64 {
-        self.cell = self.cells.pass(self.cell, |strip| strip.s + strip.len < s && !strip.rests);
+        self.cell = self.cells.pass(self.cell, |slip| slip.s + slip.len < s && !slip.rests);
         self.cell
     }
 
@@ -340,7 +405,13 @@ impl Receiver {
 
     /// Looks at a cell.
     pub fn cell<R>(&mut self, number: u64, look: impl FnOnce(&Strip) -> R) -> Option<R> {
-        self.cells.with(number, look)
+        let wholes = &mut self.wholes;
+        let look = |slip: &Slip| match slip.form.cell(slip.len) {
+            Some(cell) => Some(look(&Strip { s: slip.s, len: slip.len, cell: &cell })),
+            None => wholes
+                .with(slip.wholes.checked_sub(1)?, |cell| look(&Strip { s: slip.s, len: slip.len, cell })),
+        };
+        self.cells.with(number, look).flatten()
     }
 }
 
@@ -377,15 +448,15 @@ impl<T: Copy> Reader<T> {
         number + from.iter().chain(then).take(left).take_while(|place| is_passed(place)).count() as u64
     }
 
-    /// Gives back the places before `number`.
-    fn release(&mut self, number: u64) {
+    /// Gives back the places before `number`: what was in the last of them.
+    fn release(&mut self, number: u64) -> Option<T> {
         let count = usize::try_from(number.saturating_sub(self.first)).unwrap_or(0).min(self.ring.slots());
-        if count > 0
-            && let Ok(chunk) = self.ring.read_chunk(count)
-        {
-            chunk.commit_all();
-            self.first += count as u64;
-        }
+        let chunk = self.ring.read_chunk(count).ok()?;
+        let (front, back) = chunk.as_slices();
+        let last = back.last().or(front.last()).copied();
+        chunk.commit_all();
+        self.first += count as u64;
+        last
     }
 }
 
@@ -394,15 +465,27 @@ pub(crate) fn pair() -> (Sender, Receiver) {
     let gate = Arc::new(Gate::default());
     let (stretches, stretches_out) = RingBuffer::new(STRETCH_PLACES);
     let (cells, cells_out) = RingBuffer::new(CELL_PLACES);
+    let (wholes, wholes_out) = RingBuffer::new(CELL_PLACES);
     let (marks, marks_out) = RingBuffer::new(MARK_PLACES);
     let (runs, runs_out) = RingBuffer::new(RUN_PLACES);
     let (changes, changes_out) = RingBuffer::new(CHANGE_PLACES);
-    let sender =
-        Sender { gate: Arc::clone(&gate), stretches, places: 0, cells, marks, runs, changes, open: 0 };
+    let sender = Sender {
+        gate: Arc::clone(&gate),
+        stretches,
+        places: 0,
+        cells,
+        wholes,
+        count: 0,
+        marks,
+        runs,
+        changes,
+        open: 0,
+    };
     let receiver = Receiver {
         gate,
         stretches: Reader { ring: stretches_out, first: 0 },
         cells: Reader { ring: cells_out, first: 0 },
+        wholes: Reader { ring: wholes_out, first: 0 },
         marks: Reader { ring: marks_out, first: 0 },
         runs: runs_out,
         changes: changes_out,

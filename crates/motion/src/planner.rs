@@ -559,7 +559,7 @@ impl Planner {
         let (sender, period) = (&mut self.sender, self.front);
         let mut is_sent = true;
         if let Some(number) = number {
-            is_sent = self.queue.hand_cells(|node, cell| sender.cell(Strip::new(node, cell)))
+            is_sent = self.queue.hand_cells(|node, cell| sender.cell(node, cell))
                 && self.queue.hand_marks(|marks| sender.marks(marks));
             let course = Course::new(number, self.queue.head(), self.queue.first_mark(), begins);
             is_sent = is_sent && sender.course(period, course, self.plan.from(number));

@@ -61,7 +61,7 @@ impl Shape {
     /// Whether other axes than X, Y and Z move in it, where it is run along a path.
     pub fn moves_others(&self) -> bool {
         match self {
-            Shape::Cubic(cubic) => cubic.c[1..].iter().any(moves_others),
+            Shape::Cubic(cubic) => cubic.moves_others(),
             Shape::Line { d, .. } => moves_others(d),
             Shape::Slice(piece, _) => piece.moves_others(),
             Shape::Eased(piece, _, ease) => piece.moves_others() || ease.moves_others(),
@@ -83,6 +83,11 @@ pub(crate) struct Cubic {
 }
 
 impl Cubic {
+    /// Whether other axes than X, Y and Z move.
+    pub fn moves_others(&self) -> bool {
+        self.c[1..].iter().any(moves_others)
+    }
+
     /// The point at `s`.
     #[inline]
     pub fn at(&self, s: f64) -> Position {
