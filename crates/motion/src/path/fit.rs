@@ -109,8 +109,6 @@ impl<const N: usize> Row<N> {
 /// A span.
 #[derive(Clone, Copy, Debug)]
 struct Strip<const N: usize> {
-    /// What it adds to the rows of its control points at first.
-    own: [Row<N>; BAND],
     /// Weights of the control points in the third derivative.
     third: [f64; BAND],
     /// The same in the mean second one.
@@ -140,8 +138,11 @@ pub(crate) struct Fit<const N: usize> {
     pub is_free: Vec<bool>,
     looks: Vec<Look<N>>,
     strips: Vec<Strip<N>>,
-    /// Those before knots were put in.
+    /// What each span adds to the rows of its control points at first.
+    own: Vec<[Row<N>; BAND]>,
+    /// Both before knots were put in.
     old: Vec<Strip<N>>,
+    old_own: Vec<[Row<N>; BAND]>,
     /// How fast every span is run, about.
     pub pace: Pace,
     /// The normal equations.
@@ -164,7 +165,9 @@ impl<const N: usize> Fit<N> {
             is_free: Vec::with_capacity(controls),
             looks: Vec::with_capacity(looks),
             strips: Vec::with_capacity(controls),
+            own: Vec::with_capacity(controls),
             old: Vec::with_capacity(controls),
+            old_own: Vec::with_capacity(controls),
             pace: Pace::new(controls),
             sums: Vec::with_capacity(controls),
             factors: Vec::with_capacity(controls),
@@ -180,6 +183,7 @@ impl<const N: usize> Fit<N> {
         self.is_free.clear();
         self.looks.clear();
         self.strips.clear();
+        self.own.clear();
         self.pace.stretches.clear();
     }
 
@@ -189,15 +193,18 @@ impl<const N: usize> Fit<N> {
         self.moved.clear();
         self.is_free.clear();
         std::mem::swap(&mut self.strips, &mut self.old);
+        std::mem::swap(&mut self.own, &mut self.old_own);
         self.strips.clear();
+        self.own.clear();
         self.pace.keep_stretches();
     }
 
     /// The next span is the old span `k` as it was at first. Whether there is such a span.
     pub fn take_over(&mut self, k: usize) -> bool {
-        let Some(strip) = self.old.get(k) else { return false };
+        let (Some(strip), Some(own)) = (self.old.get(k), self.old_own.get(k)) else { return false };
         // Control points are moved from the first ones again.
         self.strips.push(Strip { room: 0.0, ..*strip });
+        self.own.push(*own);
         self.pace.take_over(k);
         true
     }
@@ -234,21 +241,12 @@ impl<const N: usize> Fit<N> {
         let k = self.strips.len();
         let (first_third, first_bend) = (self.at_first(k, &third), self.at_first(k, &bend));
         let looks = [self.looks.len(); 2];
-        let mut own = [Row::ZERO; BAND];
-        add(&mut own, stiff, &third, &first_third.map(|c| -c));
+        self.own.push([Row::ZERO; BAND]);
+        if let Some(own) = self.own.last_mut() {
+            add(own, stiff, &third, &first_third.map(|c| -c));
+        }
         let (load, room) = (0.0, 0.0);
-        self.strips.push(Strip {
-            own,
-            third,
-            bend,
-            first_third,
-            first_bend,
-            stiff,
-            load,
-            tolerance,
-            looks,
-            room,
-        });
+        self.strips.push(Strip { third, bend, first_third, first_bend, stiff, load, tolerance, looks, room });
         self.pace.stretches.push(stretch);
     }
 
@@ -258,8 +256,8 @@ impl<const N: usize> Fit<N> {
         let Some(k) = self.strips.len().checked_sub(1) else { return };
         let p = apart(p, self.at_first(k, &basis));
         let look = Look { basis, weight, close: (limit * limit).recip(), p };
-        if let Some(strip) = self.strips.last_mut() {
-            add(&mut strip.own, weight, &look.basis, &look.p);
+        if let (Some(strip), Some(own)) = (self.strips.last_mut(), self.own.last_mut()) {
+            add(own, weight, &look.basis, &look.p);
             self.looks.push(look);
             strip.looks[1] = self.looks.len();
         }
@@ -268,8 +266,8 @@ impl<const N: usize> Fit<N> {
     /// Span `k` shall go through `p`.
     pub fn tie(&mut self, k: usize, basis: [f64; BAND], weight: f64, p: [f64; N]) {
         let p = apart(p, self.at_first(k, &basis));
-        if let Some(strip) = self.strips.get_mut(k) {
-            add(&mut strip.own, weight, &basis, &p);
+        if let Some(own) = self.own.get_mut(k) {
+            add(own, weight, &basis, &p);
         }
     }
 
@@ -277,8 +275,8 @@ impl<const N: usize> Fit<N> {
     pub fn sum_up(&mut self) {
         self.sums.clear();
         self.sums.resize(self.controls.len(), Row::ZERO);
-        for (k, strip) in self.strips.iter().enumerate() {
-            for (sum, own) in self.sums[k..k + BAND].iter_mut().zip(&strip.own) {
+        for (k, own) in self.own.iter().enumerate() {
+            for (sum, own) in self.sums[k..k + BAND].iter_mut().zip(own) {
                 for (sum, own) in sum.entries.iter_mut().zip(&own.entries) {
                     *sum += own;
                 }

@@ -251,7 +251,10 @@ impl Valley {
         }
         self.begin(range, from, to);
         self.bound(road, first);
-        self.loosen();
+        // What was taken over is as tight as it was.
+        if self.taken > 0 {
+            self.loosen();
+        }
         self.planned.clone_from(&self.x);
         let planned = self.slacken();
         let (mut little, mut gap) = (A_LITTLE, FIRST_GAP);

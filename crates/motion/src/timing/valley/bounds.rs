@@ -63,7 +63,9 @@ impl Valley {
                 ((d3.abs() * v * v + 3.0 * d2.abs() * a_most) * v + d1.abs() * j_most) * jmax > HARMLESS
             };
             let of = |d: &[[f64; N]; 3], i: usize| if i < N { d.map(|d| d[i]) } else { [1.0, 0.0, 0.0] };
-            for i in 0..=N {
+            // Along the path there may be no bounds.
+            let bounds = if inverse.along == [0.0; 2] { N } else { N + 1 };
+            for i in 0..bounds {
                 let jmax = if i < N { inverse.jerk[i] } else { inverse.along[1] } / JERK_SHARE;
                 let [e1, e2, e3] = of(&there, i);
                 if let Some(push) = left_push.filter(|_| has_left && is_harmful([e1, e2, e3], jmax)) {
@@ -84,7 +86,7 @@ impl Valley {
                     self.rows.put(SPEED, Root::None, k, [1.0 / (cap * cap), 0.0, 0.0]);
                 }
             }
-            for i in 0..=N {
+            for i in 0..bounds {
                 let (amax, jmax) = if i < N {
                     (inverse.acceleration[i] / ACCELERATION_SHARE, inverse.jerk[i] / JERK_SHARE)
                 } else {
