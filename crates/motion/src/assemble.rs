@@ -24,7 +24,7 @@ use crate::moves::Move;
 use crate::path::corner::{Far, Recent};
 use crate::path::joint::{Ease, Joint, JointRules, MOST_CHORDS, Member, add, is_lost};
 use crate::path::piece::Piece;
-use crate::path::shape::{Cubic, Shape, stretch};
+use crate::path::shape::{Cubic, Shape, Smooth, stretch};
 use crate::path::smooth::{Smoother, Span};
 use crate::timing::queue::{Cell, MARKS, Mark, Node, Pass, Queue};
 use ferrocut_geometry::{AXES, Position};
@@ -87,30 +87,65 @@ fn mark(inner: &mut VecDeque<Mark>, queue: &mut Queue, s: f64, tag: u64, apart: 
     count
 }
 
-/// What look-ahead needs of a part of a smoothed run, in which none but the `N` axes in front move: it begins at the length `u`.
-#[inline]
-fn node_of<const N: usize>(
-    span: &Span,
-    u: f64,
-    cubic: &Cubic,
-    (class, rpm): (Class, f64),
-    inverse: &Inverse,
-) -> Node {
-    let (rates, stretch) = cubic.rates::<N>(span.share);
-    let stretch = stretch.max(LEAST_STRETCH);
-    let (most, highest) = (inverse.velocity(&rates.first), span.most / stretch);
-    Node {
-        s: u,
-        len: cubic.len,
-        load: inverse.load(&rates),
-        top: inverse.curve_speed(&rates, most).min(highest),
-        most: most.min(highest),
-        feed: span.feed / stretch,
-        basis: rpm,
-        class,
-        pass: Pass::Path,
-        turns_are_few: span.turns_are_few,
-        rests: false,
+/// What the cells of a smoothed run are made with.
+struct Making<'a> {
+    class: Class,
+    rpm: f64,
+    inverse: &'a Inverse,
+    /// How many more there may be where the feed decides.
+    spare: usize,
+}
+
+impl Making<'_> {
+    /// What look-ahead needs of a part of a span that begins at the length `u`.
+    #[inline]
+    fn node<const N: usize>(&self, span: &Span, u: f64, cubic: &Cubic<N>) -> Node {
+        let (rates, stretch) = cubic.rates(span.share);
+        let stretch = stretch.max(LEAST_STRETCH);
+        let (most, highest) = (self.inverse.velocity(&rates.first), span.most / stretch);
+        Node {
+            s: u,
+            len: cubic.len,
+            load: self.inverse.load(&rates),
+            top: self.inverse.curve_speed(&rates, most).min(highest),
+            most: most.min(highest),
+            feed: span.feed / stretch,
+            basis: self.rpm,
+            class: self.class,
+            pass: Pass::Path,
+            turns_are_few: span.turns_are_few,
+            rests: false,
+        }
+    }
+
+    /// Adds the cells of a span.
+    #[inline]
+    fn cells<const N: usize>(
+        &mut self,
+        span: &Span,
+        cubic: &Cubic<N>,
+        queue: &mut Queue,
+        append: impl Fn(&mut Queue, &Cubic<N>, &Node),
+    ) {
+        let whole = self.node(span, span.u, cubic);
+        if span.is_straight {
+            queue.append(Cell::new(span.curve.line(), None), whole);
+            return;
+        }
+        // The feed is along the curve: where `|q′|` differs, so does what it is along the programmed length.
+        let uneven = if whole.feed < whole.top { cubic.unevenness(span.share) } else { 0.0 };
+        let parts = if uneven > 2.0 * EVEN { (uneven / EVEN).ceil().min(MOST_PARTS) as usize } else { 1 };
+        if parts == 1 || parts > self.spare {
+            append(queue, cubic, &whole);
+            return;
+        }
+        self.spare -= parts;
+        let len = cubic.len;
+        let place = |k: usize| if k == parts { len } else { len * k as f64 / parts as f64 };
+        for k in 0..parts {
+            let part = cubic.part(place(k), place(k + 1));
+            append(queue, &part, &self.node(span, span.u + place(k), &part));
+        }
     }
 }
 
@@ -697,35 +732,12 @@ impl Assembler {
                 End::Corner(corner) => corner.foot.v,
             },
         ]);
-        let mut spare = CELLS_OF_FEED;
-        self.smoother.run(from, last.s + to, keeps, goes_on, |span| {
-            let node = |u: f64, cubic: &Cubic| {
-                let of = if span.moves_others { node_of::<AXES> } else { node_of::<3> };
-                of(&span, u, cubic, (class, rpm), inverse)
-            };
-            let whole = node(span.u, &span.cubic);
-            // Apart, so that each is built where it stays.
-            if span.is_straight {
-                let c = &span.cubic.c;
-                queue.append(Cell::new(Shape::Line { p: c[0], d: c[1] }, None), whole);
-                return;
+        let mut making = Making { class, rpm, inverse, spare: CELLS_OF_FEED };
+        self.smoother.run(from, last.s + to, keeps, goes_on, |span| match &span.curve {
+            Smooth::Xyz(cubic, others) => {
+                making.cells(&span, cubic, queue, |queue, cubic, node| queue.append_xyz(cubic, others, node))
             }
-            // The feed is along the curve: where `|q′|` differs, so does what it is along the programmed length.
-            let unevenness =
-                if span.moves_others { Cubic::unevenness::<AXES> } else { Cubic::unevenness::<3> };
-            let uneven = if whole.feed < whole.top { unevenness(&span.cubic, span.share) } else { 0.0 };
-            let parts = if uneven > 2.0 * EVEN { (uneven / EVEN).ceil().min(MOST_PARTS) as usize } else { 1 };
-            if parts == 1 || parts > spare {
-                queue.append_cubic(&span.cubic, span.moves_others, &whole);
-                return;
-            }
-            spare -= parts;
-            let len = span.cubic.len;
-            let place = |k: usize| if k == parts { len } else { len * k as f64 / parts as f64 };
-            for k in 0..parts {
-                let part = span.cubic.part(place(k), place(k + 1));
-                queue.append_cubic(&part, span.moves_others, &node(span.u + place(k), &part));
-            }
+            Smooth::All(cubic) => making.cells(&span, cubic, queue, Queue::append_all),
         });
         if !goes_on || queue.tail() > known {
             self.chain_marks = 0;

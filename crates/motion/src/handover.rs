@@ -21,11 +21,11 @@
 //!
 //! Nobody waits, nothing is locked, and what is read is copied: nothing is freed in the period.
 
-use crate::path::shape::{Cubic, Shape};
+use crate::path::shape::{Cubic, Shape, Smooth};
 use crate::timing::axes::AxesRun;
 use crate::timing::plan::{STRETCHES, Stretch};
 use crate::timing::queue::{CELLS, Cell, MARKS, Mark, Node};
-use ferrocut_geometry::{AXES, Position};
+use ferrocut_geometry::AXES;
 use rtrb::{Consumer, Producer, RingBuffer};
 use std::collections::VecDeque;
 use std::sync::Arc;
@@ -126,8 +126,7 @@ struct Slip {
 /// Most cells are of smoothed runs in X, Y and Z: what such a one has takes a third of the room that the largest has.
 #[derive(Clone, Copy, Debug)]
 enum Form {
-    /// Coefficients of X, Y and Z, and where the other axes stand.
-    Curve([[f64; 3]; 4], [f64; AXES - 3]),
+    Xyz(Cubic<3>, [f64; AXES - 3]),
     /// A cell of its own.
     Whole,
 }
@@ -136,25 +135,18 @@ impl Form {
     #[inline]
     fn of(cell: &Cell) -> Form {
         match &cell.shape {
-            Shape::Cubic(cubic) if cell.rest.is_none() && !cell.is_back && !cubic.moves_others() => {
-                let [x, y, z, others @ ..] = cubic.c[0].0;
-                let [_, c1, c2, c3] = cubic.c.map(|c| [c.0[0], c.0[1], c.0[2]]);
-                Form::Curve([[x, y, z], c1, c2, c3], others)
+            Shape::Smooth(Smooth::Xyz(cubic, others)) if cell.rest.is_none() && !cell.is_back => {
+                Form::Xyz(*cubic, *others)
             }
             _ => Form::Whole,
         }
     }
 
-    /// The cell of this length that it is; `None` of one of its own.
+    /// The cell that it is; `None` of one of its own.
     #[inline]
-    fn cell(&self, len: f64) -> Option<Cell> {
-        let Form::Curve(c, others) = self else { return None };
-        let mut cubic = Cubic { c: [Position::ZERO; 4], len };
-        for (to, c) in cubic.c.iter_mut().zip(c) {
-            to.0[..3].copy_from_slice(c);
-        }
-        cubic.c[0].0[3..].copy_from_slice(others);
-        Some(Cell::new(Shape::Cubic(cubic), None))
+    fn cell(&self) -> Option<Cell> {
+        let Form::Xyz(cubic, others) = self else { return None };
+        Some(Cell::new(Shape::Smooth(Smooth::Xyz(*cubic, *others)), None))
     }
 }
 
@@ -406,7 +398,7 @@ impl Receiver {
     /// Looks at a cell.
     pub fn cell<R>(&mut self, number: u64, look: impl FnOnce(&Strip) -> R) -> Option<R> {
         let wholes = &mut self.wholes;
-        let look = |slip: &Slip| match slip.form.cell(slip.len) {
+        let look = |slip: &Slip| match slip.form.cell() {
             Some(cell) => Some(look(&Strip { s: slip.s, len: slip.len, cell: &cell })),
             None => wholes
                 .with(slip.wholes.checked_sub(1)?, |cell| look(&Strip { s: slip.s, len: slip.len, cell })),

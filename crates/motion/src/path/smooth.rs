@@ -33,7 +33,7 @@ mod thin;
 use crate::limits::{Class, Inverse};
 use crate::moves::ways;
 use crate::path::fit::Fit;
-use crate::path::shape::Cubic;
+use crate::path::shape::Smooth;
 use ferrocut_geometry::{AXES, Position, SAME_POINT_MM};
 
 /// Most points of a run that are smoothed at once; a longer run goes on from where it was, and smooths some spans again.
@@ -131,7 +131,7 @@ impl Point {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Span {
     pub u: f64,
-    pub cubic: Cubic,
+    pub curve: Smooth,
     pub feed: f64,
     /// Highest speed whatever the override, mm/s.
     pub most: f64,
@@ -140,8 +140,6 @@ pub(crate) struct Span {
     pub turns_are_few: bool,
     /// How far X, Y and Z go on its line, as a share of the length of that.
     pub share: f64,
-    /// Whether other axes than these may move.
-    pub moves_others: bool,
 }
 
 type Vector = [f64; AXES];
@@ -403,7 +401,7 @@ impl Smoother {
             let from = to;
             to = self.at_knot(k + 1);
             let (begin, end) = (self.t(k), self.t(k + 1));
-            let (c, len) = (self.cubic(k, &from, &to), end - begin);
+            let (mut c, len) = (self.cubic(k, &from, &to), end - begin);
             first = self.segment(begin, first);
             let middle = self.segment(0.5 * (begin + end), first);
             let line = &self.points[middle];
@@ -414,29 +412,15 @@ impl Smoother {
             let most = over.fold(self.points[begun].most, |most, point| most.min(point.most));
             let is_straight =
                 (0..N).all(|i| (2.0 * c[2][i]).abs() < 1e-9 && (6.0 * c[3][i] * len).abs() < 1e-9);
-            let mut cubic = Cubic { c: [Position::ZERO; 4], len };
-            for (own, c) in cubic.c.iter_mut().zip(&c) {
-                own.0[..N].copy_from_slice(c);
-            }
-            cubic.c[0].0[N..].copy_from_slice(&line.p.0[N..]);
             if k == 0 {
                 // A run begins exactly on its point, not beside it by rounding.
-                for (own, p) in cubic.c[0].0.iter_mut().zip(&self.points[0].p.0) {
+                for (own, p) in c[0].iter_mut().zip(&self.points[0].p.0) {
                     *own = if (*own - p).abs() <= ROUNDING { *p } else { *own };
                 }
             }
+            let (curve, feed) = (Smooth::new(&c, len, &line.p), line.feed);
             let (turns_are_few, share) = (self.turns_are_few, self.share(middle));
-            let moves_others = N > 3;
-            out(Span {
-                u: begin,
-                cubic,
-                feed: line.feed,
-                most,
-                is_straight,
-                turns_are_few,
-                share,
-                moves_others,
-            });
+            out(Span { u: begin, curve, feed, most, is_straight, turns_are_few, share });
         }
     }
 }

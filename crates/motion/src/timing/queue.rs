@@ -9,10 +9,10 @@
 //! ([`crate::retrace`]).
 
 use crate::limits::{Class, Load};
-use crate::path::shape::{Cubic, Shape};
+use crate::path::shape::{Cubic, Shape, Smooth};
 use crate::timing::piece::PLACES;
 use crate::timing::ramp::Foot;
-use ferrocut_geometry::Position;
+use ferrocut_geometry::{AXES, Position};
 
 /// Cells in the queue; one to three a block where blocks are long, one for many where they are short.
 pub(crate) const CELLS: usize = 8192;
@@ -56,7 +56,7 @@ impl Cell {
     /// turn by more; 1 where they stand, and only others move.
     pub fn stretch(&self, s: f64, len: f64) -> f64 {
         let stretch = match &self.shape {
-            Shape::Cubic(_) | Shape::Eased(..) | Shape::Line { .. } => {
+            Shape::Smooth(_) | Shape::Eased(..) | Shape::Line { .. } => {
                 let [[x, y, z], ..] = self.derivatives(s, len);
                 (x * x + y * y + z * z).sqrt()
             }
@@ -76,7 +76,10 @@ impl Cell {
     pub fn derivatives_at<const N: usize>(&self, s: &[f64; PLACES], len: f64) -> [[[f64; PLACES]; N]; 3] {
         match &self.shape {
             // Where the shape is known before, all places are worked out at once.
-            Shape::Cubic(cubic) => at_all(s, |s| self.as_run(s, len, |s| cubic.derivatives(s))),
+            Shape::Smooth(Smooth::Xyz(cubic, _)) => {
+                at_all(s, |s| self.as_run(s, len, |s| cubic.derivatives(s)))
+            }
+            Shape::Smooth(Smooth::All(cubic)) => at_all(s, |s| self.as_run(s, len, |s| cubic.derivatives(s))),
             _ => at_all(s, |s| self.derivatives(s, len)),
         }
     }
@@ -280,13 +283,20 @@ impl Queue {
         *self.next(&node, moves_others) = cell;
     }
 
-    /// The same of a stretch of a smoothed run: what a cubic has is copied, not as much as the largest of shapes has.
+    /// The same of a stretch of a smoothed run in X, Y and Z: what that has is copied, not as much as the largest of shapes has.
     #[inline]
-    pub fn append_cubic(&mut self, cubic: &Cubic, moves_others: bool, node: &Node) {
-        let cell = self.next(node, moves_others);
-        cell.shape = Shape::Cubic(*cubic);
-        cell.rest = None;
-        cell.is_back = false;
+    pub fn append_xyz(&mut self, cubic: &Cubic<3>, others: &[f64; AXES - 3], node: &Node) {
+        let cell = self.next(node, false);
+        cell.shape = Shape::Smooth(Smooth::Xyz(*cubic, *others));
+        (cell.rest, cell.is_back) = (None, false);
+    }
+
+    /// The same of all axes.
+    #[inline]
+    pub fn append_all(&mut self, cubic: &Cubic<AXES>, node: &Node) {
+        let cell = self.next(node, true);
+        cell.shape = Shape::Smooth(Smooth::All(*cubic));
+        (cell.rest, cell.is_back) = (None, false);
     }
 
     /// The place of a new cell, which may move others than X, Y and Z.
@@ -442,9 +452,9 @@ mod tests {
     #[test]
     fn several_places_are_as_each_of_them() {
         let p = |x, y, z| Position::xyz(x, y, z);
-        let cubic =
-            Cubic { c: [p(1.0, 2.0, 3.0), p(1.0, 0.1, 0.0), p(0.2, -0.3, 0.1), p(-0.4, 0.5, 0.2)], len: 2.0 };
-        for shape in [Shape::Cubic(cubic), Shape::Line { p: p(1.0, 0.0, 0.0), d: p(0.6, 0.8, 0.0) }] {
+        let c = [[1.0, 2.0, 3.0], [1.0, 0.1, 0.0], [0.2, -0.3, 0.1], [-0.4, 0.5, 0.2]];
+        let curve = Smooth::Xyz(Cubic { c, len: 2.0 }, [0.0; AXES - 3]);
+        for shape in [Shape::Smooth(curve), Shape::Line { p: p(1.0, 0.0, 0.0), d: p(0.6, 0.8, 0.0) }] {
             for is_back in [false, true] {
                 let cell = Cell { is_back, ..Cell::new(shape, None) };
                 let places: [f64; PLACES] = std::array::from_fn(|k| 0.25 * k as f64);

@@ -100,8 +100,10 @@ impl Smoother {
             let mut is_rough = false;
             if fit.pace.is_slow() {
                 self.turns_are_few = self.lines() >= MANY_LINES && !fit.is_much_slow();
-                // A way from rest or to rest is long in time.
-                is_rough = self.turns_are_few && !fit.pace.ends.contains(&0.0);
+                // A way from rest or to rest is long in time; without a limit of jerk another stiffness would be right.
+                is_rough = self.turns_are_few
+                    && !fit.pace.ends.contains(&0.0)
+                    && !self.inverse.is_free_of_jerk(&[1.0; N]);
                 self.pace(fit, turns, open, is_rough);
             }
             fit.close(is_rough);
