@@ -102,13 +102,14 @@ const SHORTEST: f64 = 0.1;
 /// them, and a little, which is more each time. Where none is found the whole window is run by the plan before, up to a seventh
 /// slower, and four times were not always enough.
 const ROUNDS: usize = 8;
-
-/// Where that has not helped in so many rounds, what is beyond may be a bound that was far from the plan: once more with others.
-const TIGHTENED: usize = 3;
 const LESS: f64 = 1.2;
 const A_LITTLE: f64 = 5e-4;
 const MORE_A_TIME: f64 = 2.0;
 const MOST_MORE: f64 = 1.18;
+
+/// Where that has not helped up to this round, what is beyond may be a bound that was far from the plan: once more with those that are
+/// not far from what was found.
+const TIGHTENED: usize = 3;
 
 /// What a curve takes of a bound somewhere in a window, if it is worth to be looked at.
 const TAKEN: f64 = 0.25;
