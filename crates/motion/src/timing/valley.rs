@@ -50,6 +50,7 @@ use crate::quick::larger;
 use crate::timing::piece::{Piece, ROUNDING, State};
 use crate::timing::queue::{Node, Queue};
 use band::Band;
+use bounds::Ground;
 use ferrocut_geometry::AXES;
 use pulp::{Arch, NullaryFnOnce};
 pub(crate) use road::Road;
@@ -140,6 +141,7 @@ pub(crate) struct Valley {
     planned: Vec<f64>,
     /// How much more than it does a place is to count.
     more: Vec<f64>,
+    ground: Ground,
     rows: Rows,
     speeds: Speeds,
     sums: Sums,
@@ -164,6 +166,7 @@ impl Valley {
             x: Vec::with_capacity(STEPS + 2 + PAD),
             planned: Vec::with_capacity(STEPS + 2 + PAD),
             more: Vec::with_capacity(STEPS + 2),
+            ground: Ground::new(),
             rows: Rows::new(STEPS + 2),
             speeds: Speeds::new(STEPS + 2),
             sums: Sums::new(STEPS + 2),

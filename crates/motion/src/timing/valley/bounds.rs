@@ -1,12 +1,14 @@
 //! The bounds of a window at the places between its steps.
+//!
+//! What they are worked out from is gathered place by place ([`Ground`]); the bounds themselves are those of [`LANES`] places at once.
 
-use super::Valley;
 use super::road::Road;
-use super::rows::{LANES, Root, SPEED};
-use crate::limits::Inverse;
-use crate::quick::larger;
+use super::rows::{LANES, Lanes, Root, Rows};
+use super::{STEPS, Valley};
+use crate::quick::{larger, smaller};
 use crate::timing::queue::Node;
 use ferrocut_geometry::AXES;
+use pulp::{Arch, NullaryFnOnce};
 
 /// Shares of acceleration and jerk that are used; the rest is for what lies between the places looked at.
 const ACCELERATION_SHARE: f64 = 0.998;
@@ -20,93 +22,277 @@ const HARMLESS: f64 = 0.95;
 /// How far inside its bounds a solution is that a window begins with.
 const INSIDE: f64 = 3e-3;
 
+/// Along the path there is at least this much of a bound, 1 by the units of that.
+const LEAST_INVERSE: f64 = 1e-12;
+
+/// The path itself, which is one more axis that it is straight in.
+const PATH: usize = AXES;
+
+/// A number for each place, and room for a block behind the last one.
+type Column = [f64; ROOM];
+const ROOM: usize = STEPS + 2 + 2 * LANES;
+
+/// What the bounds of a window are worked out from, place by place.
+#[derive(Debug)]
+pub(super) struct Ground {
+    /// `q′`, `q″` and `q‴` of each axis and of the path, on the sides behind and before a place.
+    derivatives: Vec<[[Column; PATH + 1]; 3]>,
+    /// Inverse limits of acceleration and jerk, of each axis and of the path.
+    inverse: Vec<[Column; PATH + 1]>,
+    /// Whether the path has limits itself.
+    limits_path: bool,
+    /// Lowest speed allowed, curves aside, along the three steps that a control point bears on; infinite at those that are given.
+    caps: Column,
+    /// Lengths of the steps before the places, and 1 by those of both beside them.
+    h: Column,
+    both: Column,
+    /// `x` there.
+    x: Column,
+    /// More than the path can do there: speed, acceleration and jerk. What stays below its bounds then is none.
+    v: Column,
+    a: Column,
+    j: Column,
+    /// Whether the bounds of jerk count on the sides behind and before, and those of acceleration: 1, else 0.
+    has: [Column; 2],
+    is_inner: Column,
+}
+
+/// Sides of a place.
+const BEHIND: usize = 0;
+const BEFORE: usize = 1;
+
+impl Ground {
+    pub fn new() -> Ground {
+        const NONE: Column = [0.0; ROOM];
+        let mut derivatives = vec![[[NONE; PATH + 1]; 3]; 2];
+        for side in &mut derivatives {
+            side[0][PATH] = [1.0; ROOM];
+        }
+        Ground {
+            derivatives,
+            inverse: vec![[NONE; PATH + 1]; 2],
+            limits_path: false,
+            caps: NONE,
+            h: NONE,
+            both: NONE,
+            x: NONE,
+            v: NONE,
+            a: NONE,
+            j: NONE,
+            has: [NONE; 2],
+            is_inner: NONE,
+        }
+    }
+
+    /// Gathers what the path is like at these places, the first of which lies in cell `first`.
+    fn survey<const N: usize>(
+        &mut self,
+        road: &Road<'_, N, impl Fn(&Node) -> f64>,
+        first: u64,
+        places: &[f64],
+    ) {
+        let mut cell = first;
+        // Along the last two steps.
+        let mut before = [f64::INFINITY; 2];
+        self.caps.fill(f64::INFINITY);
+        self.limits_path = false;
+        for (k, s) in places.iter().copied().enumerate() {
+            cell = road.cell(cell, s);
+            let node = road.queue.node(cell);
+            if let Some(end) = places.get(k + 1) {
+                let cap = road.least_cap(cell, *end);
+                if k >= 2 {
+                    self.caps[k] = smaller(smaller(before[0], before[1]), cap);
+                }
+                before = [before[1], cap];
+            }
+            let inverse = road.inverses.of(node.class);
+            for i in 0..N {
+                (self.inverse[0][i][k], self.inverse[1][i][k]) = (inverse.acceleration[i], inverse.jerk[i]);
+            }
+            (self.inverse[0][PATH][k], self.inverse[1][PATH][k]) = (inverse.along[0], inverse.along[1]);
+            self.limits_path |= inverse.along != [0.0; 2];
+            // A border belongs to both sides.
+            let left = if s <= node.s + 1e-12 && k > 0 { road.side_before(cell, s) } else { cell };
+            let behind = road.derivatives(cell, s);
+            let ahead = if left == cell { behind } else { road.derivatives(left, s) };
+            for (side, at) in self.derivatives.iter_mut().zip([behind, ahead]) {
+                for (columns, at) in side.iter_mut().zip(at) {
+                    for (column, d) in columns.iter_mut().zip(at) {
+                        column[k] = d;
+                    }
+                }
+            }
+        }
+    }
+
+    /// What follows from that and the steps, of lengths `h`, which are run at `x`.
+    #[inline(always)]
+    fn level<const N: usize>(&mut self, h: &[f64], x: &[f64]) {
+        let places = h.len() - 1;
+        let all = places.next_multiple_of(LANES);
+        self.h[..h.len()].copy_from_slice(h);
+        self.h[h.len()..=all].fill(1.0);
+        for k in 0..all {
+            let (h0, h1) = (self.h[k], self.h[k + 1]);
+            let both = (h0 + h1).recip();
+            self.both[k] = both;
+            self.x[k] = (x[k] * h1 + x[k + 1] * h0) * both;
+            self.v[k] = larger(0.0, FASTER * self.x[k]).sqrt();
+        }
+        self.reach::<N>(all);
+        // On a line the end of a step at which it is faster decides.
+        let [behind, before] = [BEHIND, BEFORE].map(|side| &self.derivatives[side]);
+        let bends = |side: &[[Column; PATH + 1]; 3], k: usize| {
+            (0..N).fold(0.0, |sum, i| sum + side[1][i][k].abs() + side[2][i][k].abs())
+        };
+        for k in 0..all {
+            let (here, next) = (self.x[k], self.x[k + 1]);
+            self.has[BEHIND][k] = if bends(behind, k) > 0.0 || here >= next { 1.0 } else { 0.0 };
+            self.has[BEFORE][k + 1] = if bends(before, k + 1) > 0.0 || next >= here { 1.0 } else { 0.0 };
+        }
+        // There is no step before the first place, and none behind the last one.
+        self.has[BEFORE][0] = 0.0;
+        self.has[BEHIND][places - 1..].fill(0.0);
+        self.has[BEFORE][places..].fill(0.0);
+        self.is_inner[..places - 1].fill(1.0);
+        self.is_inner[0] = 0.0;
+        self.is_inner[places - 1..].fill(0.0);
+    }
+
+    /// Highest acceleration and jerk along the path where it is no faster than `v`, by its derivatives on both sides: an axis has
+    /// what its bounds leave it, and as much more as the curve takes the other way.
+    #[inline(always)]
+    fn reach<const N: usize>(&mut self, all: usize) {
+        let Ground { derivatives, inverse, v, a, j, .. } = self;
+        let [behind, before] = [BEHIND, BEFORE].map(|side| &derivatives[side]);
+        let [a_most, j_most] = &inverse[..] else { return };
+        for k in 0..all {
+            a[k] = larger(LEAST_INVERSE, a_most[PATH][k]).recip();
+            j[k] = larger(LEAST_INVERSE, j_most[PATH][k]).recip();
+        }
+        let most = |of: usize, i: usize, k: usize| larger(behind[of][i][k].abs(), before[of][i][k].abs());
+        for i in 0..N {
+            for k in 0..all {
+                let left = 1.0 + most(1, i, k) * v[k] * v[k] * a_most[i][k];
+                a[k] = smaller(a[k], left / (behind[0][i][k].abs() * a_most[i][k]));
+            }
+        }
+        for i in 0..N {
+            for k in 0..all {
+                let curve = (most(2, i, k) * v[k] * v[k] + 3.0 * most(1, i, k) * a[k]) * v[k];
+                let left = 1.0 + curve * j_most[i][k];
+                j[k] = smaller(j[k], left / (behind[0][i][k].abs() * j_most[i][k]));
+            }
+        }
+    }
+
+    /// Puts in the bounds that begin with the control points from `base` on, of speed and then of axis after axis.
+    #[inline(always)]
+    fn put<const N: usize>(&self, base: usize, x: &[f64], rows: &mut Rows) {
+        self.put_speed(base, x, rows);
+        for i in (0..N).chain(self.limits_path.then_some(PATH)) {
+            self.put_jerk(BEFORE, i, base, rows);
+            self.put_acceleration(i, base, rows);
+            self.put_jerk(BEHIND, i, base, rows);
+        }
+    }
+
+    /// `X ≤ cap`: between three control points the spline lies below the highest.
+    #[inline(always)]
+    fn put_speed(&self, base: usize, x: &[f64], rows: &mut Rows) {
+        let (mut counts, mut c) = ([0.0; LANES], [[0.0; LANES]; 3]);
+        for i in 0..LANES {
+            let cap = self.caps[base + i];
+            let on = FASTER * x[base + i] > cap * cap;
+            (counts[i], c[0][i]) = if on { (1.0, (1.0 / (cap * cap)) as f32) } else { (0.0, 0.0) };
+        }
+        rows.put(Root::None, base, counts, c);
+    }
+
+    /// `q″·X + q′·a`.
+    #[inline(always)]
+    fn put_acceleration(&self, axis: usize, base: usize, rows: &mut Rows) {
+        let [d1, d2] = [0, 1].map(|of| from(&self.derivatives[BEHIND][of][axis], base));
+        let inverse = from(&self.inverse[0][axis], base);
+        let [v, a, both, has] = [&self.v, &self.a, &self.both, &self.is_inner].map(|of| from(of, base));
+        let [h0, h1] = [0, 1].map(|k| from(&self.h, base + k));
+        let (mut counts, mut c): (Lanes, [Lanes; 3]) = ([0.0; LANES], [[0.0; LANES]; 3]);
+        for i in 0..LANES {
+            let inverse = inverse[i] * (1.0 / ACCELERATION_SHARE);
+            let used = (d2[i].abs() * v[i] * v[i] + d1[i].abs() * a[i]) * inverse;
+            let on = has[i] * used > HARMLESS;
+            // X and a by x of both steps.
+            let part = both[i] * inverse;
+            counts[i] = if on { 1.0 } else { 0.0 };
+            c[0][i] = if on { ((d2[i] * h1[i] - d1[i]) * part) as f32 } else { 0.0 };
+            c[1][i] = if on { ((d2[i] * h0[i] + d1[i]) * part) as f32 } else { 0.0 };
+        }
+        rows.put(Root::None, base, counts, c);
+    }
+
+    /// `q‴·X + 3·q″·a + q′·j/√X` on a side of the places.
+    #[inline(always)]
+    fn put_jerk(&self, side: usize, axis: usize, base: usize, rows: &mut Rows) {
+        let root = if side == BEHIND { Root::Behind } else { Root::Before };
+        let at = base + root.place();
+        let [d1, d2, d3] = [0, 1, 2].map(|of| from(&self.derivatives[side][of][axis], at));
+        let inverse = from(&self.inverse[1][axis], at);
+        let [v, a, j, both] = [&self.v, &self.a, &self.j, &self.both].map(|of| from(of, at));
+        let has = from(&self.has[side], at);
+        let [h0, h1] = [0, 1].map(|k| from(&self.h, at + k));
+        // Acceleration at the place behind minus that at the one before, over the length of the step between.
+        let step = from(&self.h, base + 1);
+        let [first, second] = [0, 1].map(|k| from(&self.both, base + k));
+        let (mut counts, mut c): (Lanes, [Lanes; 3]) = ([0.0; LANES], [[0.0; LANES]; 3]);
+        for i in 0..LANES {
+            let inverse = inverse[i] * (1.0 / JERK_SHARE);
+            let curve = (d3[i].abs() * v[i] * v[i] + 3.0 * d2[i].abs() * a[i]) * v[i];
+            let on = has[i] * ((curve + d1[i].abs() * j[i]) * inverse) > HARMLESS;
+            let push = d1[i] / step[i];
+            let swing = 3.0 * d2[i];
+            let own = [(d3[i] * h1[i] - swing) * both[i], (d3[i] * h0[i] + swing) * both[i]];
+            let [p0, p1, p2] = [push * first[i], -push * (first[i] + second[i]), push * second[i]];
+            let row =
+                if side == BEHIND { [p0 + own[0], p1 + own[1], p2] } else { [p0, p1 + own[0], p2 + own[1]] };
+            counts[i] = if on { 1.0 } else { 0.0 };
+            for (c, row) in c.iter_mut().zip(row) {
+                c[i] = if on { (row * inverse) as f32 } else { 0.0 };
+            }
+        }
+        rows.put(root, base, counts, c);
+    }
+}
+
+/// The numbers of the places from `at` on.
+#[inline(always)]
+fn from(column: &Column, at: usize) -> &[f64; LANES] {
+    column[at..].first_chunk().unwrap_or(&[0.0; LANES])
+}
+
+/// Puts in all bounds of a window, with vectors as wide as the processor has them; in every bit the same.
+struct Lay<'a, const N: usize>(&'a mut Valley);
+
+impl<const N: usize> NullaryFnOnce for Lay<'_, N> {
+    type Output = ();
+
+    #[inline(always)]
+    fn call(self) {
+        let Valley { ground, rows, h, x, .. } = self.0;
+        ground.level::<N>(h, x);
+        for base in (0..h.len() - 1).step_by(LANES) {
+            ground.put::<N>(base, x, rows);
+        }
+    }
+}
+
 impl Valley {
     /// The bounds at all places, in the order of the control points that they begin with.
     pub(super) fn bound<const N: usize>(&mut self, road: &Road<'_, N, impl Fn(&Node) -> f64>, first: u64) {
         self.rows.clear();
         self.speeds.begin(&self.h);
-        let places = self.s.len();
-        let mut cell = first;
-        let mut cap_cell = first;
-        for k in 0..places {
-            let s = self.s[k];
-            cell = road.cell(cell, s);
-            let node = road.queue.node(cell);
-            let inverse = road.inverses.of(node.class);
-            // A border belongs to both sides.
-            let left = if s <= node.s + 1e-12 && k > 0 { road.side_before(cell, s) } else { cell };
-            let here = road.derivatives(cell, s);
-            let there = if left == cell { here } else { road.derivatives(left, s) };
-            let (h0, h1) = (self.h[k], self.h[k + 1]);
-            let both = h0 + h1;
-            // X and a by x of both steps.
-            let (x, a) = ([h1 / both, h0 / both], [-1.0 / both, 1.0 / both]);
-            let is_inner = k > 0 && k + 1 < places;
-            // Acceleration behind minus acceleration before, over the length of the step on either side.
-            let left_push = (k > 0).then(|| {
-                let (a0, h) = (1.0 / (self.h[k - 1] + h0), h0);
-                // a of the place before: (x₁ − x₀)·a0.
-                [a0 / h, (a[0] - a0) / h, a[1] / h]
-            });
-            let right_push = (k + 1 < places).then(|| {
-                let (a1, h) = (1.0 / (h1 + self.h[k + 2]), h1);
-                [-a[0] / h, (-a1 - a[1]) / h, a1 / h]
-            });
-            // More than the path can do here: what stays below its bounds then is none.
-            let v = (FASTER * self.at(k).0).max(0.0).sqrt();
-            let [a_most, j_most] = most_along([&there, &here], inverse, v);
-            // On a line the end of a step at which it is faster decides.
-            let is_line = |d: &[[f64; N]; 3]| d[1..].iter().flatten().all(|c| *c == 0.0);
-            let has_left = !is_line(&there) || (k > 0 && self.at(k).0 >= self.at(k - 1).0);
-            let has_right = !is_line(&here) || (k + 1 < places && self.at(k).0 >= self.at(k + 1).0);
-            let is_harmful = |[d1, d2, d3]: [f64; 3], jmax: f64| {
-                ((d3.abs() * v * v + 3.0 * d2.abs() * a_most) * v + d1.abs() * j_most) * jmax > HARMLESS
-            };
-            let of = |d: &[[f64; N]; 3], i: usize| if i < N { d.map(|d| d[i]) } else { [1.0, 0.0, 0.0] };
-            // Along the path there may be no bounds.
-            let bounds = if inverse.along == [0.0; 2] { N } else { N + 1 };
-            for i in 0..bounds {
-                let jmax = if i < N { inverse.jerk[i] } else { inverse.along[1] } / JERK_SHARE;
-                let [e1, e2, e3] = of(&there, i);
-                if let Some(push) = left_push.filter(|_| has_left && is_harmful([e1, e2, e3], jmax)) {
-                    let c = [
-                        e1 * push[0] * jmax,
-                        (e3 * x[0] + 3.0 * e2 * a[0] + e1 * push[1]) * jmax,
-                        (e3 * x[1] + 3.0 * e2 * a[1] + e1 * push[2]) * jmax,
-                    ];
-                    self.rows.put(i, Root::Before, k - 1, c);
-                }
-            }
-            // Between three of them the spline lies below the highest.
-            if (2..self.h.len() - 2).contains(&k) {
-                let (begin, end) = (self.s[k - 2], self.s[k + 1]);
-                cap_cell = road.cell(cap_cell, begin);
-                let cap = road.least_cap(cap_cell, end);
-                if FASTER * self.x[k] > cap * cap {
-                    self.rows.put(SPEED, Root::None, k, [1.0 / (cap * cap), 0.0, 0.0]);
-                }
-            }
-            for i in 0..bounds {
-                let (amax, jmax) = if i < N {
-                    (inverse.acceleration[i] / ACCELERATION_SHARE, inverse.jerk[i] / JERK_SHARE)
-                } else {
-                    (inverse.along[0] / ACCELERATION_SHARE, inverse.along[1] / JERK_SHARE)
-                };
-                let [d1, d2, d3] = of(&here, i);
-                if is_inner && (d2.abs() * v * v + d1.abs() * a_most) * amax > HARMLESS {
-                    let c = [(d2 * x[0] + d1 * a[0]) * amax, (d2 * x[1] + d1 * a[1]) * amax, 0.0];
-                    self.rows.put(i, Root::None, k, c);
-                }
-                if let Some(push) = right_push.filter(|_| has_right && is_harmful([d1, d2, d3], jmax)) {
-                    let c = [
-                        (d3 * x[0] + 3.0 * d2 * a[0] + d1 * push[0]) * jmax,
-                        (d3 * x[1] + 3.0 * d2 * a[1] + d1 * push[1]) * jmax,
-                        d1 * push[2] * jmax,
-                    ];
-                    self.rows.put(i, Root::Behind, k, c);
-                }
-            }
-        }
+        self.ground.survey(road, first, &self.s);
+        Arch::new().dispatch(Lay::<N>(self));
     }
 
     /// Whether it is so much faster than the plan somewhere that bounds which were far from that may be none of those set.
@@ -132,22 +318,4 @@ impl Valley {
             }
         }
     }
-}
-
-/// Highest acceleration and jerk along the path where it is no faster than `v`, by its derivatives on both sides: an axis has what its
-/// bounds leave it, and as much more as the curve takes the other way.
-fn most_along<const N: usize>(sides: [&[[f64; N]; 3]; 2], inverse: &Inverse, v: f64) -> [f64; 2] {
-    let [mut a, mut j] = inverse.along.map(|inverse| inverse.max(1e-12).recip());
-    let most =
-        |derivative: usize, i: usize| larger(sides[0][derivative][i].abs(), sides[1][derivative][i].abs());
-    let axes =
-        |inverse: &[f64; AXES]| -> [f64; N] { std::array::from_fn(|i| sides[1][0][i].abs() * inverse[i]) };
-    for (i, share) in axes(&inverse.acceleration).into_iter().enumerate().filter(|(_, share)| *share > 0.0) {
-        a = a.min((1.0 + most(1, i) * v * v * inverse.acceleration[i]) / share);
-    }
-    for (i, share) in axes(&inverse.jerk).into_iter().enumerate().filter(|(_, share)| *share > 0.0) {
-        let curve = (most(2, i) * v * v + 3.0 * most(1, i) * a) * v;
-        j = j.min((1.0 + curve * inverse.jerk[i]) / share);
-    }
-    [a, j]
 }

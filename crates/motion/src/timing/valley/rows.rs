@@ -20,11 +20,8 @@ pub(super) type Lanes = [f32; LANES];
 /// Places behind the last that blocks reach over.
 pub(super) const PAD: usize = LANES + 2;
 
-/// What bounds are of: the axes, then the path, then its speed.
-pub(super) const SPEED: usize = AXES + 1;
-
-/// Kinds of rows: of each of them acceleration, and jerk behind and before a place.
-const KINDS: usize = 3 * (SPEED + 1);
+/// Kinds of rows: speed, and of each axis and of the path acceleration, and jerk behind and before a place.
+const KINDS: usize = 1 + 3 * (AXES + 1);
 
 /// Whether a row is one of jerk, and of which side of its place.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
@@ -72,43 +69,29 @@ pub(super) struct Rows {
     pub blocks: Vec<Block>,
     /// How many bounds there are.
     pub count: usize,
-    /// Where the blocks of the newest places are, by kind.
-    newest: [Option<usize>; KINDS],
 }
 
 impl Rows {
     /// For so many places.
     pub fn new(places: usize) -> Rows {
         let blocks = Vec::with_capacity(KINDS * (places / LANES + 2));
-        Rows { blocks, count: 0, newest: [None; KINDS] }
+        Rows { blocks, count: 0 }
     }
 
     pub fn clear(&mut self) {
         self.blocks.clear();
         self.count = 0;
-        self.newest = [None; KINDS];
     }
 
-    /// Puts in a row of an axis, the path or the speed that begins with control point `base`; those of earlier blocks are in
-    /// already.
-    pub fn put(&mut self, of: usize, root: Root, base: usize, c: [f64; 3]) {
-        let kind = 3 * of + root as usize;
-        let lane = base % LANES;
-        let first = base - lane;
-        if self.blocks.last().is_some_and(|block| block.base != first) {
-            self.newest = [None; KINDS];
+    /// Puts in the rows that begin with the control points from `base` on, where one `counts`: those that begin with earlier ones
+    /// are in already.
+    #[inline(always)]
+    pub fn put(&mut self, root: Root, base: usize, counts: Lanes, c: [Lanes; 3]) {
+        let count: f32 = counts.iter().sum();
+        if count > 0.0 {
+            self.blocks.push(Block { c, base, root, counts, z: [[1.0; LANES]; 2], ..Block::default() });
+            self.count += count as usize;
         }
-        let at = *self.newest[kind].get_or_insert_with(|| {
-            let z = [[1.0; LANES]; 2];
-            self.blocks.push(Block { base: first, root, z, ..Block::default() });
-            self.blocks.len() - 1
-        });
-        let block = &mut self.blocks[at];
-        for (to, c) in block.c.iter_mut().zip(c) {
-            to[lane] = c as f32;
-        }
-        block.counts[lane] = 1.0;
-        self.count += 1;
     }
 
     /// Makes bounds so many times as tight, place by place.
@@ -458,15 +441,22 @@ mod tests {
         valley.x.resize(valley.h.len() + PAD, 0.0);
         valley.speeds.begin(&valley.h);
         let c = |i: usize, by: f64| [2e-3 * wave(i, by), -3e-3 * wave(i, by + 0.5), 1e-3 * wave(i, by + 1.0)];
-        for k in 0..places - 1 {
-            if k > 0 {
-                valley.rows.put(0, Root::Before, k - 1, c(k, 0.4));
+        for base in (0..places).step_by(LANES) {
+            for (root, by) in [(Root::Before, 0.4), (Root::None, 1.1), (Root::Behind, 2.3)] {
+                let (mut counts, mut rows) = ([0.0; LANES], [[0.0; LANES]; 3]);
+                let is_one = |k: usize| match root {
+                    Root::None => k < places - 1 && !k.is_multiple_of(3),
+                    Root::Behind => k < places - 1,
+                    Root::Before => k < places - 2,
+                };
+                for i in (0..LANES).filter(|i| is_one(base + i)) {
+                    counts[i] = 1.0;
+                    let [c0, c1, c2] = c(base + i + root.place(), by);
+                    let c2 = if root == Root::None { 0.0 } else { c2 };
+                    (rows[0][i], rows[1][i], rows[2][i]) = (c0 as f32, c1 as f32, c2 as f32);
+                }
+                valley.rows.put(root, base, counts, rows);
             }
-            if !k.is_multiple_of(3) {
-                let [c0, c1, _] = c(k, 1.1);
-                valley.rows.put(0, Root::None, k, [c0, c1, 0.0]);
-            }
-            valley.rows.put(0, Root::Behind, k, c(k, 2.3));
         }
         valley
     }
