@@ -20,7 +20,7 @@ mod open;
 mod parts;
 
 use crate::limits::{Class, Inverse, Inverses, Load, Rates};
-use crate::moves::Move;
+use crate::moves::{Cut, Move};
 use crate::path::corner::{Far, Recent};
 use crate::path::joint::{Ease, Joint, JointRules, MOST_CHORDS, Member, add, is_lost};
 use crate::path::piece::Piece;
@@ -292,15 +292,29 @@ impl Assembler {
                 return self.run(queue);
             }
         }
-        self.take_newest(queue);
-        self.run(queue);
-        let newest = Newest::new(&self.end, m);
-        if self.is_blocked() || !self.rules.exact_stop && newest.may_go_on() {
-            self.newest = Some(newest);
+        if self.newest_runs_on(queue)
+            && let Some(newest) = &mut self.newest
+        {
+            newest.follow(m);
         } else {
+            self.take_newest(queue);
+            self.run(queue);
+            self.newest = Some(Newest::new(&self.end, m));
+        }
+        let is_kept = |newest: &Newest| !self.rules.exact_stop && newest.may_go_on();
+        if !self.is_blocked() && !self.newest.as_ref().is_some_and(is_kept) {
+            self.newest = None;
             self.take(m, false, queue);
             self.run(queue);
         }
+    }
+
+    /// Whether the newest move is a line that is smoothed with those before it ([`run_on`](Self::run_on)): then it is, and its place
+    /// is free. Nearly all moves of programs of short lines go this way.
+    #[inline]
+    fn newest_runs_on(&mut self, queue: &mut Queue) -> bool {
+        let cut = self.newest.as_ref().and_then(|newest| newest.whole.cut());
+        self.ends.is_empty() && cut.is_some_and(|cut| self.run_on(&cut, queue))
     }
 
     fn take_newest(&mut self, queue: &mut Queue) {
@@ -336,7 +350,7 @@ impl Assembler {
 
     /// Takes a move on its way to its cells. It may be a line that goes on.
     fn take(&mut self, m: &Move, goes_on: bool, queue: &mut Queue) {
-        if !goes_on && self.run_on(m, queue) {
+        if !goes_on && m.cut().is_some_and(|cut| self.run_on(&cut, queue)) {
             return;
         }
         let from = self.end;
@@ -540,7 +554,7 @@ impl Assembler {
 
     /// Smooths the line `m` with those before it, if it runs on from them ([`Member::run_on`]).
     #[inline]
-    fn run_on(&mut self, m: &Move, queue: &mut Queue) -> bool {
+    fn run_on(&mut self, m: &Cut, queue: &mut Queue) -> bool {
         // With the last point of a run more is to be done.
         let is_nearly_full = self.smoother.is_nearly_full() || self.chain_marks >= CHAIN_MARKS;
         if !self.chained || self.waits() || is_nearly_full {

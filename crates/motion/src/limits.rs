@@ -162,23 +162,35 @@ impl Drive {
 /// The axes and the path itself.
 const SHARES: usize = AXES + 1;
 
+/// Shares are worked with so many at once.
+const FOUR: usize = 4;
+
+/// Four shares: of three axes and the path there are no more.
+type Four = [f32; FOUR];
+
+/// The derivatives of a piece of four axes in shares of the limits.
+#[derive(Clone, Copy, Debug, Default)]
+struct Shares {
+    /// `Dᵢ / accelerationᵢ`.
+    along: Four,
+    /// `Qᵢ / accelerationᵢ`.
+    bend: Four,
+    /// `Dᵢ / jerkᵢ`.
+    push: Four,
+    /// `3·Qᵢ / jerkᵢ`.
+    swing: Four,
+    /// `Rᵢ / jerkᵢ`.
+    twist: Four,
+}
+
 /// The derivatives of a piece in shares of the limits, in the form that look-ahead multiplies with. Kept as
-/// `f32`, rounded up: it is read for every cell on every sweep.
+/// `f32`, rounded up: it is read for every cell on every sweep. The planner leaves more of every bound than that rounds.
 ///
 /// A limit along the path is that of one more axis, which the path is straight in.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Load {
-    /// `Dᵢ / accelerationᵢ`.
-    along: [f32; SHARES],
-    /// `Qᵢ / accelerationᵢ`.
-    bend: [f32; SHARES],
-    /// `Dᵢ / jerkᵢ`.
-    push: [f32; SHARES],
-    /// `3·Qᵢ / jerkᵢ`.
-    swing: [f32; SHARES],
-    /// `Rᵢ / jerkᵢ`.
-    twist: [f32; SHARES],
-    /// How many of the axes in front have a share.
+    shares: [Shares; SHARES.div_ceil(FOUR)],
+    /// How many have a share: axes that move, and the path where it has limits itself.
     count: usize,
     /// On a straight piece the drive is the same at every speed.
     straight: Option<Drive>,
@@ -187,25 +199,44 @@ pub(crate) struct Load {
 impl Load {
     /// Of nothing.
     pub const NONE: Load = Load {
-        along: [0.0; SHARES],
-        bend: [0.0; SHARES],
-        push: [0.0; SHARES],
-        swing: [0.0; SHARES],
-        twist: [0.0; SHARES],
+        shares: [Shares {
+            along: [0.0; FOUR],
+            bend: [0.0; FOUR],
+            push: [0.0; FOUR],
+            swing: [0.0; FOUR],
+            twist: [0.0; FOUR],
+        }; SHARES.div_ceil(FOUR)],
         count: 0,
         straight: Some(Drive::MOST),
     };
+
+    /// The place of one more share.
+    #[inline]
+    fn next(&mut self) -> (&mut Shares, usize) {
+        let n = self.count;
+        self.count += 1;
+        (&mut self.shares[n / FOUR], n % FOUR)
+    }
+
+    /// Those that there are.
+    #[inline]
+    fn shares(&self) -> &[Shares] {
+        &self.shares[..self.count.div_ceil(FOUR).min(SHARES.div_ceil(FOUR))]
+    }
 
     /// What is left to the path at rest: more than any ramp uses.
     pub fn most(&self) -> Drive {
         if let Some(drive) = self.straight {
             return drive;
         }
-        let largest = |shares: &[f32; SHARES], least| shares.iter().fold(least, |m, s| f64::from(*s).max(m));
-        Drive {
-            a: largest(&self.along, LEAST_INVERSE[1]).recip(),
-            j: largest(&self.push, LEAST_INVERSE[2]).recip(),
+        let (mut along, mut push) = ([LEAST_INVERSE[1] as f32; FOUR], [LEAST_INVERSE[2] as f32; FOUR]);
+        for shares in self.shares() {
+            for i in 0..FOUR {
+                along[i] = larger(along[i], shares.along[i]);
+                push[i] = larger(push[i], shares.push[i]);
+            }
         }
+        Drive { a: f64::from(most_of(along)).recip(), j: f64::from(most_of(push)).recip() }
     }
 
     /// Whether no axis is accelerated at a steady speed.
@@ -223,53 +254,74 @@ impl Load {
         if let Some(drive) = self.straight {
             return Room { a: drive.a, j: [drive.j; 2] };
         }
-        let (w, cube) = (v * v, v * v * v);
-        let still = |i: usize| larger(LEAST_LEFT, 1.0 - f64::from(self.twist[i]) * cube);
-        let push = |i: usize| larger(LEAST_INVERSE[2], f64::from(self.push[i]));
-        let count = self.count.min(SHARES);
-        let mut most = Drive::MOST.j;
-        for i in 0..count {
-            most = smaller(most, still(i) / push(i));
+        let (v, w, cube) = (v as f32, (v * v) as f32, (v * v * v) as f32);
+        let [_, least_along, least_push] = LEAST_INVERSE.map(|least| least as f32);
+        let still = |twist: f32| larger(LEAST_LEFT, 1.0 - twist * cube);
+        let mut most = [Drive::MOST.j as f32; FOUR];
+        for shares in self.shares() {
+            for i in 0..FOUR {
+                most[i] = smaller(most[i], still(shares.twist[i]) / larger(least_push, shares.push[i]));
+            }
         }
-        let (mut a, kept) = (Drive::MOST.a, JERK_KEPT * most);
-        for i in 0..count {
-            let left = larger(LEAST_LEFT, 1.0 - f64::from(self.bend[i]) * w);
-            a = smaller(a, left / larger(LEAST_INVERSE[1], f64::from(self.along[i])));
-            let swings = still(i) - kept * push(i);
-            a = smaller(a, swings / larger(LEAST_INVERSE[1], f64::from(self.swing[i]) * v));
+        let most = least_of(most);
+        let kept = JERK_KEPT * most;
+        let mut a = [Drive::MOST.a as f32; FOUR];
+        for shares in self.shares() {
+            for i in 0..FOUR {
+                let left = larger(LEAST_LEFT, 1.0 - shares.bend[i] * w);
+                a[i] = smaller(a[i], left / larger(least_along, shares.along[i]));
+                let swings = still(shares.twist[i]) - kept * larger(least_push, shares.push[i]);
+                a[i] = smaller(a[i], swings / larger(least_along, shares.swing[i] * v));
+            }
         }
-        let mut least = most;
-        for i in 0..count {
-            least = smaller(least, (still(i) - f64::from(self.swing[i]) * v * a) / push(i));
+        let a = least_of(a);
+        let mut least = [most; FOUR];
+        for shares in self.shares() {
+            for i in 0..FOUR {
+                let left = still(shares.twist[i]) - shares.swing[i] * v * a;
+                least[i] = smaller(least[i], left / larger(least_push, shares.push[i]));
+            }
         }
-        let j = [most, least];
-        Room { a, j }
+        // That is what `a` leaves, but for rounding.
+        let least = larger(kept, least_of(least));
+        Room { a: f64::from(a), j: [most, least].map(f64::from) }
     }
 
     /// Largest share of acceleration or jerk that the curve alone takes from the path at `v` and `a`.
     pub fn taken(&self, v: f64, a: f64) -> f64 {
-        let w = v * v;
-        let mut most: f64 = 0.0;
-        for i in 0..self.count {
-            let jerk = (f64::from(self.twist[i]) * w + f64::from(self.swing[i]) * a) * v;
-            most = most.max(f64::from(self.bend[i]) * w).max(jerk);
-        }
-        most
+        self.used_of(v, a, 0.0, 0.0)
     }
 
     /// Largest share of acceleration or jerk used at `v`, `a` and `j`.
     #[inline]
     pub fn used(&self, v: f64, a: f64, j: f64) -> f64 {
-        let w = v * v;
-        let mut most: f64 = 0.0;
-        for i in 0..self.count.min(SHARES) {
-            let acceleration = f64::from(self.bend[i]) * w + f64::from(self.along[i]) * a;
-            let jerk = (f64::from(self.twist[i]) * w + f64::from(self.swing[i]) * a) * v
-                + f64::from(self.push[i]) * j;
-            most = larger(larger(most, acceleration), jerk);
-        }
-        most
+        self.used_of(v, a, a, j)
     }
+
+    /// The same, where `along` is the acceleration that the path itself takes.
+    #[inline]
+    fn used_of(&self, v: f64, a: f64, along: f64, j: f64) -> f64 {
+        let (w, v, a, along, j) = ((v * v) as f32, v as f32, a as f32, along as f32, j as f32);
+        let mut most = [0.0; FOUR];
+        for shares in self.shares() {
+            for i in 0..FOUR {
+                let acceleration = shares.bend[i] * w + shares.along[i] * along;
+                let jerk = (shares.twist[i] * w + shares.swing[i] * a) * v + shares.push[i] * j;
+                most[i] = larger(larger(most[i], acceleration), jerk);
+            }
+        }
+        f64::from(most_of(most))
+    }
+}
+
+/// The largest of four, and the least.
+#[inline]
+fn most_of([a, b, c, d]: Four) -> f32 {
+    larger(larger(a, c), larger(b, d))
+}
+#[inline]
+fn least_of([a, b, c, d]: Four) -> f32 {
+    smaller(smaller(a, c), smaller(b, d))
 }
 
 /// What is left to the path at a speed.
@@ -289,10 +341,10 @@ impl Room {
 }
 
 /// See [`Load::room`].
-const JERK_KEPT: f64 = 0.4;
+const JERK_KEPT: f32 = 0.4;
 
 /// Least share of the jerk that is left to a path, whatever the curve takes.
-const LEAST_LEFT: f64 = 0.02;
+const LEAST_LEFT: f32 = 0.02;
 
 /// The limits in the form that planning multiplies with, for one kind of move.
 #[derive(Clone, Copy, Debug)]
@@ -385,29 +437,30 @@ impl Inverse {
     }
 
     /// What a piece takes of the limits.
+    #[inline]
     pub fn load<const N: usize>(&self, rates: &Rates<N>) -> Load {
-        let mut load = Load::NONE;
-        let mut curved = false;
+        let mut load = Load { shares: Default::default(), count: 0, straight: None };
+        let Rates { first, second, third } = rates;
         for i in 0..N {
-            let (d, q, r) = (rates.first[i].abs(), rates.second[i].abs(), rates.third[i].abs());
-            if d == 0.0 && q == 0.0 && r == 0.0 {
+            let (d, q, r) = (first[i].abs(), second[i].abs(), third[i].abs());
+            // Few have a limit along the path, which is a fourth share.
+            if N >= FOUR && d == 0.0 && q == 0.0 && r == 0.0 {
                 continue;
             }
-            curved |= q > 0.0 || r > 0.0;
-            let n = load.count;
-            load.along[n] = up(d * self.acceleration[i]);
-            load.bend[n] = up(q * self.acceleration[i]);
-            load.push[n] = up(d * self.jerk[i]);
-            load.swing[n] = up(3.0 * q * self.jerk[i]);
-            load.twist[n] = up(r * self.jerk[i]);
-            load.count = n + 1;
+            let (shares, n) = load.next();
+            shares.along[n] = up(d * self.acceleration[i]);
+            shares.bend[n] = up(q * self.acceleration[i]);
+            shares.push[n] = up(d * self.jerk[i]);
+            shares.swing[n] = up(3.0 * q * self.jerk[i]);
+            shares.twist[n] = up(r * self.jerk[i]);
         }
         if self.along != [0.0; 2] {
-            let n = load.count;
-            (load.along[n], load.push[n]) = (up(self.along[0]), up(self.along[1]));
-            load.count = n + 1;
+            let (shares, n) = load.next();
+            (shares.along[n], shares.push[n]) = (up(self.along[0]), up(self.along[1]));
         }
-        load.straight = (!curved).then(|| self.straight(&rates.first));
+        if second.iter().chain(third).all(|c| *c == 0.0) {
+            load.straight = Some(self.straight(first));
+        }
         load
     }
 

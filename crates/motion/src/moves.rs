@@ -19,6 +19,16 @@ pub struct Move {
     pub(crate) beside: f64,
 }
 
+/// A straight cut: what is asked of most moves, in a third of their room.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Cut {
+    pub tag: u64,
+    pub to: Position,
+    pub feed: f64,
+    pub path: PathMode,
+    pub rpm: f64,
+}
+
 /// How a move gets to its end.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(crate) enum Kind {
@@ -208,6 +218,13 @@ impl Move {
             }
         }
         self
+    }
+
+    /// What it asks for, if it is a straight cut.
+    #[inline]
+    pub(crate) fn cut(&self) -> Option<Cut> {
+        let Kind::Line { feed, path } = self.kind else { return None };
+        Some(Cut { tag: self.tag, to: self.to, feed, path, rpm: self.rpm })
     }
 
     /// Whether it is an arc, which may end where it begins.

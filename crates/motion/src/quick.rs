@@ -29,7 +29,7 @@ pub(crate) fn larger<T: PartialOrd>(most: T, x: T) -> T {
 
 /// The smaller of `least` and `x`; `least` where `x` is no number.
 #[inline]
-pub(crate) fn smaller(least: f64, x: f64) -> f64 {
+pub(crate) fn smaller<T: PartialOrd>(least: T, x: T) -> T {
     if x < least { x } else { least }
 }
 

@@ -55,6 +55,13 @@ impl Newest {
         Newest { whole: *m, way, off: 0.0, enough: 0.0, is_plain: m.to.0[3..] == from.0[3..] }
     }
 
+    /// The move `m` from where it ends takes its place.
+    #[inline]
+    pub fn follow(&mut self, m: &Move) {
+        let from = self.whole.to;
+        *self = Newest::new(&from, m);
+    }
+
     fn len(&self) -> f64 {
         self.way.iter().map(|c| c * c).sum::<f64>().sqrt()
     }

@@ -23,7 +23,7 @@
 //!   easing would cost time, between lines where that is quicker.
 
 use crate::limits::{Class, Drive, Inverse, Inverses, MAX_FEED_OVERRIDE, MAX_SPINDLE_OVERRIDE, Rates, peak};
-use crate::moves::{Kind, Move};
+use crate::moves::{Cut, Kind, Move};
 use crate::path::corner::{Corner, Far, Lines, Side, norm, valley_loss};
 use crate::path::piece::Piece;
 use crate::path::shape::moves_others;
@@ -262,8 +262,8 @@ impl Member {
     /// The same as [`Member::new`] and [`join`](Self::join) would say, without a copy; nearly all moves of programs of
     /// short lines go this way. `s` is the length of the path up to there; the length of the line, or `None`.
     #[inline]
-    pub fn run_on(&mut self, m: &Move, rules: &JointRules, s: f64) -> Option<f64> {
-        let (Kind::Line { feed, path }, Piece::Line(line)) = (m.kind, &mut self.piece) else { return None };
+    pub fn run_on(&mut self, m: &Cut, rules: &JointRules, s: f64) -> Option<f64> {
+        let (Cut { feed, path, .. }, Piece::Line(line)) = (*m, &mut self.piece) else { return None };
         if rules.corner.is_some()
             || matches!(path, PathMode::InnerCorners(_))
             || self.class != cutting_class(path)
