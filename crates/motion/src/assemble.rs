@@ -26,6 +26,7 @@ use crate::path::joint::{Ease, Joint, JointRules, MOST_CHORDS, Member, add, is_l
 use crate::path::piece::Piece;
 use crate::path::shape::{Cubic, Shape, Smooth, stretch};
 use crate::path::smooth::{Smoother, Span};
+use crate::quick::{larger, smaller};
 use crate::timing::queue::{Cell, MARKS, Mark, Node, Pass, Queue};
 use ferrocut_geometry::{AXES, Position};
 use open::{Before, End, Flow, Held, Open, Start, Turn};
@@ -101,14 +102,14 @@ impl Making<'_> {
     #[inline]
     fn node<const N: usize>(&self, span: &Span, u: f64, cubic: &Cubic<N>) -> Node {
         let (rates, stretch) = cubic.rates(span.share);
-        let stretch = stretch.max(LEAST_STRETCH);
+        let stretch = larger(LEAST_STRETCH, stretch);
         let (most, highest) = (self.inverse.velocity(&rates.first), span.most / stretch);
         Node {
             s: u,
             len: cubic.len,
             load: self.inverse.load(&rates),
-            top: self.inverse.curve_speed(&rates, most).min(highest),
-            most: most.min(highest),
+            top: smaller(self.inverse.curve_speed(&rates, most), highest),
+            most: smaller(most, highest),
             feed: span.feed / stretch,
             basis: self.rpm,
             class: self.class,

@@ -152,7 +152,7 @@ impl Drive {
     /// What both allow.
     #[inline]
     pub fn min(self, other: Drive) -> Drive {
-        Drive { a: self.a.min(other.a), j: self.j.min(other.j) }
+        Drive { a: smaller(self.a, other.a), j: smaller(self.j, other.j) }
     }
 
     /// More than any machine has.
@@ -336,7 +336,8 @@ pub(crate) struct Room {
 impl Room {
     /// What both leave.
     pub fn min(self, other: Room) -> Room {
-        Room { a: self.a.min(other.a), j: [self.j[0].min(other.j[0]), self.j[1].min(other.j[1])] }
+        let j = [smaller(self.j[0], other.j[0]), smaller(self.j[1], other.j[1])];
+        Room { a: smaller(self.a, other.a), j }
     }
 }
 
@@ -421,7 +422,7 @@ impl Inverse {
 
     /// Highest speed along a piece by the velocity of the axes alone, mm/s.
     pub fn velocity<const N: usize>(&self, d: &[f64; N]) -> f64 {
-        peak(d, &self.velocity).max(LEAST_INVERSE[0]).recip()
+        larger(LEAST_INVERSE[0], peak(d, &self.velocity)).recip()
     }
 
     /// Highest speed along a piece, mm/s.
@@ -433,7 +434,8 @@ impl Inverse {
     pub fn curve_speed<const N: usize>(&self, rates: &Rates<N>, along: f64) -> f64 {
         let bend = peak(&rates.second, &self.acceleration);
         let twist = peak(&rates.third, &self.jerk);
-        along.min((CURVE_SHARE / bend.max(1e-15)).sqrt()).min(cube_root(TWIST_SHARE / twist.max(1e-20)))
+        let by_bend = (CURVE_SHARE / larger(1e-15, bend)).sqrt();
+        smaller(smaller(along, by_bend), cube_root(TWIST_SHARE / larger(1e-20, twist)))
     }
 
     /// What a piece takes of the limits.

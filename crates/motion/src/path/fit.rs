@@ -25,7 +25,7 @@
 
 use crate::limits::Inverse;
 use crate::path::pace::{Pace, Stretch};
-use crate::quick::larger;
+use crate::quick::{larger, smaller};
 use std::ops::Range;
 
 /// Control points that bear on a span, and diagonals of the normal equations.
@@ -329,11 +329,6 @@ impl<const N: usize> Fit<N> {
         self.moving.push(0..self.strips.len());
     }
 
-    /// The tolerance of span `k`.
-    pub fn tolerance(&self, k: usize) -> f64 {
-        self.strips[k].tolerance
-    }
-
     /// How fast every span is run with the control points as they are.
     pub fn find_pace(&mut self, inverse: &Inverse) {
         let [first, last] = self.pace.straight;
@@ -351,7 +346,7 @@ impl<const N: usize> Fit<N> {
             let mut acceleration: f64 = 0.0;
             for axis in 0..N {
                 let bend = (strip.first_bend[axis] + bend[axis]).abs();
-                acceleration = acceleration.max(bend * inverse.acceleration[axis]);
+                acceleration = larger(acceleration, bend * inverse.acceleration[axis]);
             }
             let jerk = strip.jerk(moved, inverse);
             stretch.limit(jerk, acceleration);
@@ -369,9 +364,9 @@ impl<const N: usize> Fit<N> {
         }
         let pace = &self.pace;
         let fade = |load: &mut f64, (k, strip): (usize, &mut Strip<N>)| {
-            let way = pace.stretches[k].len / (FADES * pace.reach(k, strip.tolerance)).max(f64::MIN_POSITIVE);
+            let way = pace.stretches[k].len / (FADES * pace.reach(k)).max(f64::MIN_POSITIVE);
             // `exp(way)` about.
-            *load = (*load / (1.0 + way * (1.0 + 0.5 * way))).max(strip.load);
+            *load = larger(*load / (1.0 + way * (1.0 + 0.5 * way)), strip.load);
             strip.load = *load;
         };
         let mut load = 0.0;
@@ -396,7 +391,7 @@ impl<const N: usize> Fit<N> {
             if strip.tolerance == 0.0 {
                 continue;
             }
-            let l = (stiff * self.pace.reach(k, strip.tolerance)).min(STIFFEST * len).min(most);
+            let l = smaller(smaller(stiff * self.pace.reach(k), STIFFEST * len), most);
             let cube = l * l * l;
             strip.stiffen(cube * cube * len - strip.stiff, &mut self.sums[k..]);
         }
@@ -575,7 +570,7 @@ impl<const N: usize> Fit<N> {
                 }
             }
             if nearest > 1.0 {
-                most = most.max(nearest);
+                most = larger(most, nearest);
                 match self.pressed.last_mut() {
                     Some(spans) if k < spans.end + APART => spans.end = k + 1,
                     _ => self.pressed.push(k..k + 1),
@@ -592,7 +587,7 @@ impl<const N: usize> Strip<N> {
     fn jerk(&self, moved: &[[f64; N]], inverse: &Inverse) -> f64 {
         let third = weighted(&self.third, moved);
         (0..N).fold(0.0_f64, |most, axis| {
-            most.max((self.first_third[axis] + third[axis]).abs() * inverse.jerk[axis])
+            larger(most, (self.first_third[axis] + third[axis]).abs() * inverse.jerk[axis])
         })
     }
 

@@ -10,7 +10,7 @@
 //!    where the third derivative is largest, which is at its ends.
 
 use crate::limits::Drive;
-use crate::quick::cube_root;
+use crate::quick::{cube_root, larger, smaller};
 
 /// Share of the jerk that is left to a ramp beside what a curve takes.
 const RAMP_SHARE: f64 = 0.5;
@@ -30,6 +30,8 @@ pub(crate) struct Stretch {
     pub top: f64,
     /// What the axes leave along it.
     pub drive: Drive,
+    /// How far a wave is smoothed away at the speed 1, mm.
+    pub away: f64,
     /// The speed found, mm/s.
     pub v: f64,
     /// Whether it is slower than aside from curves.
@@ -40,7 +42,12 @@ impl Stretch {
     /// One that holds nothing back.
     pub fn free(len: f64, top: f64) -> Stretch {
         let drive = Drive { a: f64::INFINITY, j: f64::INFINITY };
-        Stretch { len, top, drive, v: top, is_slow: false }
+        Stretch { len, top, drive, away: 0.0, v: top, is_slow: false }
+    }
+
+    /// One on which the axes leave so much, and the path may be left by so much.
+    pub fn new(len: f64, top: f64, drive: Drive, tolerance: f64) -> Stretch {
+        Stretch { drive, away: reach(1.0, tolerance, drive.j), ..Stretch::free(len, top) }
     }
 
     /// `jerk` and `acceleration` are those of an axis at the speed 1, as shares of their bounds.
@@ -58,13 +65,14 @@ impl Stretch {
     /// The speed behind it, if it is `v` before it.
     fn behind(&self, v: f64) -> f64 {
         let inverse = v.recip();
-        v + self.len * (2.0 * RAMP_SHARE * self.drive.j * inverse).sqrt().min(self.drive.a * inverse)
+        let by_jerk = (2.0 * RAMP_SHARE * self.drive.j * inverse).sqrt();
+        v + self.len * smaller(by_jerk, self.drive.a * inverse)
     }
 
     /// Makes the next one no faster than it can be behind this one.
     fn hold_back(&self, next: &mut Stretch) {
         if next.v > self.v {
-            next.v = next.v.min(self.behind(self.v));
+            next.v = smaller(next.v, self.behind(self.v));
         }
     }
 }
@@ -144,15 +152,15 @@ impl Pace {
     }
 
     /// How far a wave is smoothed away on span `k`, mm.
-    pub fn reach(&self, k: usize, tolerance: f64) -> f64 {
+    pub fn reach(&self, k: usize) -> f64 {
         let stretch = &self.stretches[k];
-        reach(stretch.v, tolerance, stretch.drive.j)
+        stretch.v * stretch.away
     }
 
     /// The same, were nothing slow.
-    pub fn most_reach(&self, k: usize, tolerance: f64) -> f64 {
+    pub fn most_reach(&self, k: usize) -> f64 {
         let stretch = &self.stretches[k];
-        reach(stretch.top, tolerance, stretch.drive.j)
+        stretch.top * stretch.away
     }
 
     /// Finds the speeds from the limits in `v` and those at both ends.
@@ -179,10 +187,10 @@ impl Pace {
         let (mut low, mut high) = (0, 0);
         for k in 0..self.stretches.len() {
             let Stretch { v, drive, len, top, .. } = self.stretches[k];
-            let way = (v * v * v / drive.j).sqrt().max(0.5 * len);
+            let way = larger((v * v * v / drive.j).sqrt(), 0.5 * len);
             let middle = self.sums[k][0] + 0.5 * len;
             let [a, b] = [self.sum_at(middle - way, &mut low), self.sum_at(middle + way, &mut high)];
-            let mean = (b[1] - a[1]) / (b[0] - a[0]).max(1e-12);
+            let mean = (b[1] - a[1]) / larger(1e-12, b[0] - a[0]);
             let stretch = &mut self.stretches[k];
             (stretch.v, stretch.is_slow) = (mean, mean < SLOW * top);
         }
@@ -197,7 +205,7 @@ impl Pace {
             *at += 1;
         }
         let ([s0, sum0], [s1, sum1]) = (self.sums[*at], self.sums[*at + 1]);
-        let share = ((s - s0) / (s1 - s0).max(1e-12)).clamp(0.0, 1.0);
+        let share = ((s - s0) / larger(1e-12, s1 - s0)).clamp(0.0, 1.0);
         [s0 + share * (s1 - s0), sum0 + share * (sum1 - sum0)]
     }
 }

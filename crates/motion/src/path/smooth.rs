@@ -34,6 +34,7 @@ use crate::limits::{Class, Inverse};
 use crate::moves::ways;
 use crate::path::fit::Fit;
 use crate::path::shape::Smooth;
+use crate::quick::smaller;
 use ferrocut_geometry::{AXES, Position, SAME_POINT_MM};
 
 /// Most points of a run that are smoothed at once; a longer run goes on from where it was, and smooths some spans again.
@@ -123,7 +124,7 @@ impl Point {
 
     /// How fast the line is run about, without an override, mm/s.
     fn pace(&self) -> f64 {
-        self.feed.min(self.most).min(FASTEST)
+        smaller(smaller(self.feed, self.most), FASTEST)
     }
 }
 
@@ -409,7 +410,7 @@ impl Smoother {
             let rounding = SAME_PLACE * len;
             let begun = self.segment(begin + rounding, first);
             let over = self.points[begun + 1..].iter().take_while(|point| point.u < end - rounding);
-            let most = over.fold(self.points[begun].most, |most, point| most.min(point.most));
+            let most = over.fold(self.points[begun].most, |most, point| smaller(most, point.most));
             let is_straight =
                 (0..N).all(|i| (2.0 * c[2][i]).abs() < 1e-9 && (6.0 * c[3][i] * len).abs() < 1e-9);
             if k == 0 {

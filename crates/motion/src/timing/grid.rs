@@ -346,20 +346,20 @@ impl Grid {
         let to = self.to.s;
         let reach = |cell: u64, v: f64| {
             let node = queue.node(cell);
-            let len = node.end().min(to) - node.s.max(from.s);
+            let len = smaller(node.end(), to) - larger(node.s, from.s);
             (v * v + 2.0 * node.load.room(v).a * len).sqrt()
         };
         // Where it does not rise nothing is to be reached.
         for i in 0..self.ends.len() - 1 {
             if self.ends[i + 1] > self.ends[i] {
                 let reached = reach(first + i as u64, self.ends[i]);
-                self.ends[i + 1] = self.ends[i + 1].min(reached);
+                self.ends[i + 1] = smaller(self.ends[i + 1], reached);
             }
         }
         for i in (0..self.ends.len() - 1).rev() {
             if self.ends[i] > self.ends[i + 1] {
                 let reached = reach(first + i as u64, self.ends[i + 1]);
-                self.ends[i] = self.ends[i].min(reached);
+                self.ends[i] = smaller(self.ends[i], reached);
             }
         }
         // A state that is given is.
@@ -386,11 +386,11 @@ impl Grid {
                 && node.top > FREE * here
                 && next.top > FREE * here
                 && (lowest..=here * (1.0 + ALIKE)).contains(&there)
-                && self.ends[(farthest + 1 - first) as usize] >= least.min(there);
+                && self.ends[(farthest + 1 - first) as usize] >= smaller(least, there);
             if !is_alike {
                 break;
             }
-            (farthest, least) = (farthest + 1, least.min(there));
+            (farthest, least) = (farthest + 1, smaller(least, there));
         }
         (farthest, least)
     }
@@ -407,16 +407,16 @@ impl Grid {
         let begin = queue.node(cell).s.max(from);
         let (mut farthest, mut least) = (cell, cap(queue.node(cell)));
         let end_of = |cell: u64| self.ends[(cell - first) as usize];
-        let mut slowest = least.min(end_of(cell)).min(end_of(cell + 1));
+        let mut slowest = smaller(smaller(least, end_of(cell)), end_of(cell + 1));
         while farthest < last {
             let [node, next] = [queue.node(farthest), queue.node(farthest + 1)];
             let there = cap(next);
-            slowest = slowest.min(there).min(end_of(farthest + 2));
+            slowest = smaller(smaller(slowest, there), end_of(farthest + 2));
             let is_path = node.pass == Pass::Path && next.pass == Pass::Path;
             if !is_path || next.end() - begin > most * slowest {
                 break;
             }
-            (farthest, least) = (farthest + 1, least.min(there));
+            (farthest, least) = (farthest + 1, smaller(least, there));
         }
         (farthest, least)
     }
@@ -446,19 +446,19 @@ impl Grid {
             let is_brief = !is_alike && farthest > cell;
             next = farthest + 1;
             let (left_node, right_node) = (queue.node(cell), queue.node(farthest));
-            let (begin, end) = (left_node.s.max(from.s), right_node.end().min(self.to.s));
-            door = door.min(here);
+            let (begin, end) = (larger(left_node.s, from.s), smaller(right_node.end(), self.to.s));
+            door = smaller(door, here);
             if end - begin <= LEAST_STEP {
                 continue;
             }
             // The steps on both sides keep what is allowed between them.
             if let Some(step) = self.steps.last_mut() {
-                step.cap = step.cap.min(door);
+                step.cap = smaller(step.cap, door);
             }
             let end_of = |cell: u64| self.ends[(cell - first) as usize];
             // What changes the speed at either end is in the cell there.
             let drives = [left_node.load.most(), right_node.load.most()];
-            let foot = |cell: u64| Foot::still(end_of(cell).min(here));
+            let foot = |cell: u64| Foot::still(smaller(end_of(cell), here));
             let (low, high) = (foot(cell), foot(next));
             // Far enough from an end its speed holds nothing back.
             let free = [way_up(low, here, drives[0]), way_up(high, here, drives[1])];
@@ -475,8 +475,8 @@ impl Grid {
             // However short, a section has room to speed up and slow down in.
             let drive = drives[0].min(drives[1]);
             let time = (drive.a / drive.j).clamp(FIRST, TAU);
-            let least = (drive.j * time / 3.0).min(drive.a) * 0.5 * time * time;
-            let least = least.min((self.to.s - from.s) / FEWEST);
+            let least = smaller(drive.j * time / 3.0, drive.a) * 0.5 * time * time;
+            let least = smaller(least, (self.to.s - from.s) / FEWEST);
             // Over many cells the highest speed is reached that much later: by the jerk, and by what a curve takes from the
             // acceleration there.
             let longer = if farthest > cell {
@@ -502,7 +502,8 @@ impl Grid {
                 if now >= here {
                     // Nothing changes for a while.
                     let begin = *top_begin.get_or_insert(s);
-                    h = h.max((GROWTH * ((s - begin).min(top_end - s) - longer)).min(LONGEST * now));
+                    let grown = GROWTH * (smaller(s - begin, top_end - s) - longer);
+                    h = larger(h, smaller(grown, LONGEST * now));
                 }
                 // A step that meets a lower speed at its end is shorter.
                 let met = speed(smaller(s + h, end));
@@ -516,7 +517,7 @@ impl Grid {
                 {
                     reached += 1;
                 }
-                let stop = queue.node(reached).end().min(end);
+                let stop = smaller(queue.node(reached).end(), end);
                 let left = stop - s;
                 if is_brief || left < 1.5 * h {
                     h = left;
@@ -526,7 +527,7 @@ impl Grid {
                 let to = if h < left { s + h } else { stop };
                 let then = if to < end { speed(to) } else { high.v };
                 // Between both the speed may rise above them.
-                let between = rising(s + h).min(falling(s));
+                let between = smaller(rising(s + h), falling(s));
                 let most = smaller(here, larger(larger(now, then), between));
                 self.steps.push(Step {
                     s,
@@ -874,7 +875,7 @@ impl Grid {
             }
             let piece = Piece::new(here.s, here.h, here.from, to).filter(Piece::is_forward);
             let most_used =
-                |piece: Piece| here.nodes(queue).map(|node| piece.used(&node.load)).fold(0.0, f64::max);
+                |piece: Piece| here.nodes(queue).map(|node| piece.used(&node.load)).fold(0.0, larger);
             let used = piece.map_or(f64::INFINITY, most_used);
             if !(used <= ROUNDING) {
                 let less = (less / used).max(MUCH_LESS);
@@ -913,12 +914,13 @@ fn climb(at: &Step, most: f64, state: State) -> [State; 2] {
     if end.a > most {
         // (2a₀+a₁)/6·T² + v₀·T = h.
         let a = most.max(0.0);
-        let t = 2.0 * h / (state.v + (state.v * state.v + (2.0 * state.a + a) * h / 1.5).max(0.0).sqrt());
+        let square = state.v * state.v + (2.0 * state.a + a) * h / 1.5;
+        let t = 2.0 * h / (state.v + larger(0.0, square).sqrt());
         j = (a - state.a) / t;
         end = State { v: state.v + 0.5 * (state.a + a) * t, a };
     }
     let mut middle = step(state, j, 0.5 * h);
-    for (to, from) in [(&mut middle, state.v), (&mut end, state.v.min(at.cap))] {
+    for (to, from) in [(&mut middle, state.v), (&mut end, smaller(state.v, at.cap))] {
         if to.v > at.cap {
             let rise = (at.cap * at.cap - from * from) / (2.0 * h);
             *to = State { v: at.cap, a: rise.clamp(0.0, to.a.max(0.0)) };

@@ -1,6 +1,7 @@
 //! Overrides: what the operator makes of the programmed speed, and the highest speed of a cell with them.
 
 use crate::limits::{Class, Limits, MAX_SPINDLE_OVERRIDE};
+use crate::quick::{larger, smaller};
 use crate::timing::queue::Node;
 use ferrocut_geometry::AXES;
 
@@ -51,12 +52,12 @@ impl Overrides {
     /// Highest speed in a cell, mm/s.
     #[inline]
     pub fn cap(&self, node: &Node) -> f64 {
-        node.top.min(self.feed(node)).max(LEAST_SPEED)
+        larger(LEAST_SPEED, smaller(node.top, self.feed(node)))
     }
 
     /// The same, curves aside.
     pub fn most(&self, node: &Node) -> f64 {
-        node.most.min(self.feed(node)).max(LEAST_SPEED)
+        larger(LEAST_SPEED, smaller(node.most, self.feed(node)))
     }
 
     /// The programmed speed as it is now.
@@ -67,7 +68,7 @@ impl Overrides {
         let share = Some(self.share(node)).filter(|share| *share > 0.0).unwrap_or(HELD_SHARE);
         match node.class {
             Class::Rapid => (feed * share).min(self.rapid_speed / node.basis),
-            Class::Cut | Class::Full => (feed * share).max(self.lowest),
+            Class::Cut | Class::Full => larger(self.lowest, feed * share),
             Class::Locked => feed * share,
         }
     }

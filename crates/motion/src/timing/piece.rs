@@ -13,7 +13,7 @@
 //! The last line gives the duration `T`. Where the jerk is constant `k` is 0.
 
 use crate::limits::Load;
-use crate::quick::cube_root;
+use crate::quick::{cube_root, larger};
 
 /// How far a piece may be above a bound by rounding.
 pub(crate) const ROUNDING: f64 = 1.0 + 1e-4;
@@ -71,7 +71,7 @@ impl Piece {
         if !(square >= -1e-9 * mean * mean) {
             return None;
         }
-        let root = square.max(0.0).sqrt();
+        let root = larger(0.0, square).sqrt();
         let time = 2.0 * h / (mean + root);
         if !(time.is_finite() && time > 0.0) {
             return None;
@@ -143,7 +143,7 @@ impl Piece {
     pub fn used(&self, load: &Load) -> f64 {
         let [from, to] = self.jerks();
         let at = |state: State, j: f64| load.used(state.v, state.a.abs(), j.abs());
-        let ends = at(self.from, from).max(at(self.to, to));
+        let ends = larger(at(self.from, from), at(self.to, to));
         if !(from * to < 0.0) {
             return ends;
         }
@@ -188,7 +188,7 @@ impl Piece {
         let State { v, a } = self.from;
         let way = t * (v + t * (a / 2.0 + t * (self.j / 6.0 + t * self.k / 24.0)));
         let speed = v + t * (a + t * (self.j / 2.0 + t * self.k / 6.0));
-        (self.s + way, speed.max(0.0))
+        (self.s + way, larger(0.0, speed))
     }
 }
 

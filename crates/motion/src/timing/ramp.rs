@@ -15,7 +15,7 @@
 //! said for speeding up.
 
 use crate::limits::Drive;
-use crate::quick::cube_root;
+use crate::quick::{cube_root, larger, smaller};
 
 /// A ramp down to a third of a speed takes up to 1.089 times the length of the ramp down to rest. Lines beside
 /// corners are this much longer than stopping takes, so that any speed can be reached on them.
@@ -129,7 +129,7 @@ pub(crate) fn most_speed(foot: Foot, len: f64, drive: Drive) -> f64 {
     let steady = if foot.v > 0.0 { len / foot.v } else { f64::INFINITY };
     let t =
         if steady * steady * steady * drive.j <= 6.0 * len { steady } else { cube_root(6.0 * len / drive.j) };
-    by_acceleration.min(foot.v + 0.5 * drive.j * t * t)
+    smaller(by_acceleration, foot.v + 0.5 * drive.j * t * t)
 }
 
 /// From this length on [`most_speed`] from `foot`, a still one, is no less than `v`.
@@ -139,7 +139,7 @@ pub(crate) fn way_up(foot: Foot, v: f64, drive: Drive) -> f64 {
     }
     let t = (2.0 * (v - foot.v) / drive.j).sqrt();
     let by_acceleration = (v * v - foot.v * foot.v) / (2.0 * drive.a);
-    by_acceleration.max(foot.v * t).max(drive.j * t * t * t / 6.0)
+    larger(larger(by_acceleration, foot.v * t), drive.j * t * t * t / 6.0)
 }
 
 /// Phases of constant jerk of a ramp: durations of building up, holding and taking back.

@@ -46,7 +46,7 @@ mod rows;
 mod solve;
 
 use crate::limits::Inverses;
-use crate::quick::larger;
+use crate::quick::{larger, smaller};
 use crate::timing::piece::{Piece, ROUNDING, State};
 use crate::timing::queue::{Node, Queue};
 use band::Band;
@@ -442,7 +442,7 @@ impl Valley {
                 to
             } else {
                 let a = (self.x[k + 1] - self.x[k]) / (self.h[k] + self.h[k + 1]);
-                State { v: self.at(k).0.max(0.0).sqrt(), a }
+                State { v: larger(0.0, self.at(k).0).sqrt(), a }
             };
             let piece = Piece::new(self.s[k - 1], self.h[k], state, next).filter(Piece::is_forward);
             let Some(piece) = piece else { return false };
@@ -522,7 +522,7 @@ fn speed(plan: &[Piece], mut k: usize, s: f64) -> f64 {
     let (d0, d1) = (2.0 * piece.from.a * piece.h, 2.0 * piece.to.a * piece.h);
     let left = 1.0 - u;
     let w = left * left * ((1.0 + 2.0 * u) * w0 + u * d0) + u * u * ((1.0 + 2.0 * left) * w1 - left * d1);
-    w.max(0.25 * w0.min(w1)).max(1e-12).sqrt()
+    larger(1e-12, larger(w, 0.25 * smaller(w0, w1))).sqrt()
 }
 
 /// Whether a piece keeps all bounds by the true derivatives; it begins in `cell`, which goes on to where it ends.

@@ -1,6 +1,7 @@
 //! The true distance between the spline and the lines.
 
 use super::{LEVELS, Smoother, TOLERANCE_SHARE, Vector, norm};
+use crate::quick::{larger, smaller};
 
 /// In how many parts a span is looked at.
 const CHECKS: usize = 16;
@@ -38,33 +39,34 @@ impl Smoother {
     ) -> Option<usize> {
         let (begin, end) = (self.t(k), self.t(k + 1));
         let c = self.cubic(k, from, to);
-        let inside = self.points[first + 1..].iter().take_while(|point| point.u <= end).count();
-        let last = first + inside;
-        let tolerance =
-            self.points[first..=last].iter().map(|point| point.tolerance).fold(f64::INFINITY, f64::min);
-        let limit = (tolerance * TOLERANCE_SHARE) * (tolerance * TOLERANCE_SHARE);
-        let points = &self.points[first + 1..=last];
         // At the same lengths the spline and the lines are no further apart than at the knots and at the points, and by what
         // the spline bends away from its chords between them.
-        let mut most = self.off_line(first, begin, &from[0]).max(self.off_line(last, end, &to[0]));
-        let (mut longest, mut u) = (0.0, begin);
-        for point in points {
+        let mut most = self.off_line(first, begin, &from[0]);
+        let (mut tolerance, mut longest, mut u) = (self.points[first].tolerance, 0.0, begin);
+        let mut inside = 0;
+        for point in self.points[first + 1..].iter().take_while(|point| point.u <= end) {
+            inside += 1;
+            tolerance = smaller(tolerance, point.tolerance);
             let s = point.u - begin;
-            longest = f64::max(longest, point.u - u);
+            longest = larger(longest, point.u - u);
             u = point.u;
             let mut square = 0.0;
             for i in 0..N {
                 let e = c[0][i] + s * (c[1][i] + s * (c[2][i] + s * c[3][i])) - point.p.0[i];
                 square += e * e;
             }
-            most = most.max(square);
+            most = larger(most, square);
         }
-        longest = longest.max(end - u);
-        let bend = norm(&from[2]).max(norm(&to[2]));
+        let last = first + inside;
+        most = larger(most, self.off_line(last, end, &to[0]));
+        longest = larger(longest, end - u);
+        let limit = (tolerance * TOLERANCE_SHARE) * (tolerance * TOLERANCE_SHARE);
+        let bend = larger(norm(&from[2]), norm(&to[2]));
         if most.sqrt() + 0.125 * bend * longest * longest <= tolerance * TOLERANCE_SHARE {
             return None;
         }
         // Programmed points from the spline.
+        let points = &self.points[first + 1..=last];
         if points.iter().any(|point| is_across(&c, point.u - begin, &point.p.0, limit)) {
             return Some(last);
         }
@@ -144,5 +146,5 @@ fn beside<const N: usize>(c: &[[f64; N]; 4], s: f64, p: &Vector) -> (f64, f64, f
         along += e * d;
         speed += d * d;
     }
-    (square, along, speed.max(1e-12))
+    (square, along, larger(1e-12, speed))
 }

@@ -3,6 +3,7 @@
 use super::{STANDING_CONTROLS, STANDING_KNOTS, Smoother, front};
 use crate::path::fit::{BAND, Fit};
 use crate::path::pace::Stretch;
+use crate::quick::smaller;
 
 /// Weight of the ends of a run, against that of a place inside.
 const END_WEIGHT: f64 = 1e6;
@@ -207,12 +208,11 @@ impl Smoother {
             let (begin, end) = (self.t(k), self.t(k + 1));
             let mut parts = 1;
             if k >= standing && fit.pace.stretches[k].is_slow && self.is_dense[k] && fit.bears(k) {
-                let tolerance = fit.tolerance(k);
-                let away = fit.pace.most_reach(k, tolerance);
+                let away = fit.pace.most_reach(k);
                 let is_close = keeps[0] && begin - self.t(0) < away || keeps[1] && self.t(spans) - end < away;
                 if !is_close {
                     let share = (split * (bends / fit.load(k)).max(1.0)).min(longest);
-                    let most = share * fit.pace.reach(k, tolerance);
+                    let most = share * fit.pace.reach(k);
                     let is_end = k == 0 || k + 1 == spans;
                     let most_parts = if is_end { PARTS_AT_END } else { MOST_PARTS };
                     let fits = ((end - begin) / most).min(most_parts as f64) as usize;
@@ -284,7 +284,7 @@ impl Smoother {
             let lines = self.points[line + 1..].iter().take_while(|point| point.u < end).count();
             let last = (line + lines).min(self.points.len() - 2);
             let near = |k: usize| self.t(k + 1) - self.t(k);
-            let least = near(k.saturating_sub(1)).min(len).min(near((k + 1).min(spans - 1)));
+            let least = smaller(smaller(near(k.saturating_sub(1)), len), near((k + 1).min(spans - 1)));
             let l = self.points[last].level().reach * least;
             let stiff = l * l * l * l * l * l * len;
             let on = |line: usize, u: f64| {
@@ -294,11 +294,10 @@ impl Smoother {
             };
             let (from, to) = (on(line, begin), on(last, end));
             let direction: [f64; N] = std::array::from_fn(|i| (to[i] - from[i]) / len);
-            let top = self.points[last].pace().min(self.inverse.velocity(&direction));
+            let top = smaller(self.points[last].pace(), self.inverse.velocity(&direction));
             let drive = self.soft.straight(&direction);
-            let tolerance = self.points[line].tolerance.min(self.points[last].tolerance);
-            let stretch = Stretch { drive, ..Stretch::free(len, top) };
-            fit.add_span(self.bends(k), stiff, tolerance, stretch);
+            let tolerance = smaller(self.points[line].tolerance, self.points[last].tolerance);
+            fit.add_span(self.bends(k), stiff, tolerance, Stretch::new(len, top, drive, tolerance));
             let place = self.place(k);
             let mut look = |line: usize, u: f64, weight: f64| {
                 let point = &self.points[line];
@@ -309,7 +308,7 @@ impl Smoother {
                 // At every vertex, and between them.
                 let mut from = begin;
                 for line in line..=last {
-                    let to = if line == last { end } else { self.points[line + 1].u.min(end) };
+                    let to = if line == last { end } else { smaller(self.points[line + 1].u, end) };
                     let looks = (LOOKS as f64 * (to - from) / len).ceil().max(1.0);
                     let weight = (to - from) / looks;
                     for i in 0..looks as usize {

@@ -1,6 +1,7 @@
 //! Knots: at the points that are kept, and a fan of them beside each.
 
 use super::{STANDING_KNOTS, Smoother, TOLERANCE_SHARE, Vector};
+use crate::quick::{larger, smaller};
 
 /// Knots beside a vertex, in shares of the first distance.
 const FAN: [f64; 5] = [1.0, 3.0, 7.0, 15.0, 31.0];
@@ -39,12 +40,12 @@ impl Smoother {
             let len = end - start;
             let is_first = i == 0 && !self.goes_on;
             let must = is_first || (is_last && !open);
-            let (least, most) = (before.min(after), before.max(after));
+            let (least, most) = (smaller(before, after), larger(before, after));
             let kept = [is_first && self.keeps[0], is_last && !open && self.keeps[1]];
             if self.is_bold(i) && self.is_bold(i + 1) {
                 let sizes =
                     [if i == 0 && self.goes_on { self.anchor_size } else { self.size(i) }, self.size(i + 1)];
-                if kept == [false; 2] || len > KEPT_ROOM * sizes[0].max(sizes[1]) {
+                if kept == [false; 2] || len > KEPT_ROOM * larger(sizes[0], sizes[1]) {
                     self.fan(start, end, sizes, self.is_thinned[i + 1], kept);
                     before = after;
                     continue;
@@ -91,7 +92,7 @@ impl Smoother {
         let turn = self.turn([i - 1, i, i + 1].map(|k| (self.chords[k].0, &self.chords[k].1)));
         let Some(at) = self.kept_at(i) else { return 0.0 };
         let (before, point) = (&self.points[at.saturating_sub(1)], &self.points[at]);
-        let tolerance = point.tolerance.min(before.tolerance) * TOLERANCE_SHARE;
+        let tolerance = smaller(point.tolerance, before.tolerance) * TOLERANCE_SHARE;
         point.level().spread * 6.0 * tolerance / turn
     }
 
@@ -104,9 +105,9 @@ impl Smoother {
         }
         let (a, b, c) = (&self.points[at - 1], &self.points[at], &self.points[at + 1]);
         let turn = self.turn([a, b, c].map(|point| (point.u, &point.p.0)));
-        let reach = 6.0 * b.level().spread * a.tolerance.min(b.tolerance) / turn;
-        let beside = (self.chords[i].0 - self.chords[i - 1].0).min(self.chords[i + 1].0 - self.chords[i].0);
-        (FIRST * reach).min(beside)
+        let reach = 6.0 * b.level().spread * smaller(a.tolerance, b.tolerance) / turn;
+        let [before, at, behind] = [i - 1, i, i + 1].map(|k| self.chords[k].0);
+        smaller(FIRST * reach, smaller(at - before, behind - at))
     }
 
     /// Whether kept point `i` is smoothed freely.
@@ -121,8 +122,8 @@ impl Smoother {
         let (mut left, mut right) = (0, 0);
         let step = |size: f64| if size > 0.0 { size } else { f64::INFINITY };
         let (mut next, mut last, mut gap) = (step(before), step(after), end - start);
-        while FAN_ROOM * next.min(last) < gap && left.max(right) < FAN.len() {
-            gap -= next.min(last);
+        while FAN_ROOM * smaller(next, last) < gap && left.max(right) < FAN.len() {
+            gap -= smaller(next, last);
             if next <= last {
                 (left, next) = (left + 1, 2.0 * next);
             } else {
@@ -156,6 +157,6 @@ impl Smoother {
             let turn = (c.1[k] - b.1[k]) / (c.0 - b.0) - (b.1[k] - a.1[k]) / (b.0 - a.0);
             square += turn * turn;
         }
-        square.sqrt().max(1e-12)
+        larger(1e-12, square.sqrt())
     }
 }

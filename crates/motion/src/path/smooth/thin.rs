@@ -2,6 +2,7 @@
 //! come, then what a run does not need.
 
 use super::{Point, Smoother, front};
+use crate::quick::smaller;
 use ferrocut_geometry::AXES;
 
 /// Points on lines that are no longer than this share of the tolerance together are left out as they come, where the lines
@@ -196,7 +197,7 @@ impl Smoother {
                 square += (point.p.0[k] - on) * (point.p.0[k] - on);
             }
             // Apart at the same share of the way is a little more than the distance.
-            let most = level.chord * point.tolerance.min(self.points[i - 1].tolerance);
+            let most = level.chord * smaller(point.tolerance, self.points[i - 1].tolerance);
             if square > most * most {
                 return false;
             }
@@ -233,7 +234,7 @@ impl<const N: usize> Cone<N> {
         if is_first {
             self.aim(point);
         }
-        let own = point.level().chord * point.tolerance.min(before) * self.inverse;
+        let own = point.level().chord * smaller(point.tolerance, before) * self.inverse;
         let mut off = [0.0; N];
         let mut square = 0.0;
         for k in 0..N {

@@ -2,7 +2,7 @@
 
 use crate::limits::{Inverses, peak};
 use crate::path::shape::Shape;
-use crate::quick::larger;
+use crate::quick::{larger, smaller};
 use crate::timing::piece::{PLACES, Piece, Places, State};
 use crate::timing::queue::{Node, Queue};
 use std::ops::Range;
@@ -67,7 +67,7 @@ impl<const N: usize, C: Fn(&Node) -> f64> Road<'_, N, C> {
             if node.s >= to && cell > from {
                 break;
             }
-            least = least.min((self.cap)(node));
+            least = smaller(least, (self.cap)(node));
         }
         least
     }
@@ -90,7 +90,8 @@ impl<const N: usize, C: Fn(&Node) -> f64> Road<'_, N, C> {
             // Where cells meet inside it the derivatives may jump.
             if border > piece.s + 1e-9 {
                 let (s, state, j) = piece.state(piece.time_at(border));
-                used = used.max(self.used(*cell, s, state, j)).max(self.used(*cell + 1, s, state, j));
+                let border = larger(self.used(*cell, s, state, j), self.used(*cell + 1, s, state, j));
+                used = larger(used, border);
             }
             begin = border;
             *cell += 1;
