@@ -54,6 +54,10 @@ const MOST_CLOSER: f64 = 30.0;
 /// It is close enough where it is beyond the limit by no more than this, as a share of its square.
 const CLOSE_ENOUGH: f64 = 1.02;
 
+/// Rows of zeros before the first one and behind the last.
+const ABOVE: usize = BAND - 1;
+const BELOW: usize = BAND - 1;
+
 /// A row of the equations that differs by no more than this share of itself is that of the round before.
 const SAME: f64 = 1e-7;
 
@@ -134,6 +138,7 @@ struct Strip<const N: usize> {
 pub(crate) struct Fit<const N: usize> {
     /// The first ones.
     pub controls: Vec<[f64; N]>,
+    /// By how much they are moved, and [`BELOW`] that are not.
     pub moved: Vec<[f64; N]>,
     pub is_free: Vec<bool>,
     looks: Vec<Look<N>>,
@@ -147,7 +152,8 @@ pub(crate) struct Fit<const N: usize> {
     pub pace: Pace,
     /// The normal equations.
     sums: Vec<Row<N>>,
-    /// Entry `d` of row `i` is that of `L` in column `i − d`, on the diagonal `1/D`; and what is left of the right side.
+    /// Entry `d` of row `i` is that of `L` in column `i − d`, on the diagonal `1/D`; and what is left of the right side. Row `i` is behind
+    /// [`ABOVE`] others.
     factors: Vec<Row<N>>,
     /// How far every control point was moved by the last solution, no less.
     ways: Vec<f64>,
@@ -161,7 +167,7 @@ impl<const N: usize> Fit<N> {
     pub fn new(controls: usize, looks: usize) -> Fit<N> {
         Fit {
             controls: Vec::with_capacity(controls),
-            moved: Vec::with_capacity(controls),
+            moved: Vec::with_capacity(controls + BELOW),
             is_free: Vec::with_capacity(controls),
             looks: Vec::with_capacity(looks),
             strips: Vec::with_capacity(controls),
@@ -170,7 +176,7 @@ impl<const N: usize> Fit<N> {
             old_own: Vec::with_capacity(controls),
             pace: Pace::new(controls),
             sums: Vec::with_capacity(controls),
-            factors: Vec::with_capacity(controls),
+            factors: Vec::with_capacity(ABOVE + controls + BELOW),
             ways: Vec::with_capacity(controls),
             moving: Vec::with_capacity(controls),
             pressed: Vec::with_capacity(controls),
@@ -212,7 +218,7 @@ impl<const N: usize> Fit<N> {
     /// Sets the first control points.
     pub fn begin(&mut self, controls: impl Iterator<Item = [f64; N]>) {
         self.controls.extend(controls);
-        self.moved.resize(self.controls.len(), [0.0; N]);
+        self.moved.resize(self.controls.len() + BELOW, [0.0; N]);
     }
 
     /// What the first control points of span `k` make of the weights `g`.
@@ -444,27 +450,26 @@ impl<const N: usize> Fit<N> {
     /// row have come out as they were.
     fn solve_about(&mut self, changed: Range<usize>, least: f64) -> Range<usize> {
         let total = self.controls.len();
-        self.factors.resize(total, Row::ZERO);
+        self.factors.truncate(ABOVE + total);
+        self.factors.resize(ABOVE + total + BELOW, Row::ZERO);
         self.ways.resize(total, 0.0);
-        // The three rows above, the nearest first.
-        let mut above: [Row<N>; 3] =
-            std::array::from_fn(|k| changed.start.checked_sub(k + 1).map_or(Row::ZERO, |i| self.factors[i]));
         let (mut end, mut same) = (total, 0);
         for i in changed.start..total {
             let Row { entries: [a0, a1, a2, a3], mut side } = self.row(i);
-            // Entries of `L·D`, then of `L`.
-            let [[d0, l01, l02, _], [d1, l11, ..], [d2, ..]] = above.map(|row| row.entries);
+            let Some([farthest, far, near, own]) = self.factors[i..].first_chunk_mut() else { break };
+            // Entries of `L·D`, then of `L`. What is known last, of the row above, comes last: the rows wait for each other.
+            let ([d0, l01, l02, _], [d1, l11, ..], [d2, ..]) = (near.entries, far.entries, farthest.entries);
             let e3 = a3;
             let e2 = a2 - e3 * l11;
-            let e1 = a1 - e2 * l01 - e3 * l02;
+            let e1 = (a1 - e3 * l02) - e2 * l01;
             let (l1, l2, l3) = (e1 * d0, e2 * d1, e3 * d2);
-            let d = a0 - e1 * l1 - e2 * l2 - e3 * l3;
+            let d = (a0 - e3 * l3 - e2 * l2) - e1 * l1;
             let entries = [larger(d, f64::MIN_POSITIVE).recip(), l1, l2, l3];
             for axis in 0..N {
-                side[axis] -= l1 * above[0].side[axis] + l2 * above[1].side[axis] + l3 * above[2].side[axis];
+                let left = side[axis] - l3 * farthest.side[axis] - l2 * far.side[axis];
+                side[axis] = left - l1 * near.side[axis];
             }
-            let row = Row { entries, side };
-            let old = std::mem::replace(&mut self.factors[i], row);
+            let old = std::mem::replace(own, Row { entries, side });
             let is_same = i >= changed.end + BAND - 1
                 && (entries[0] - old.entries[0]).abs() <= SAME * entries[0]
                 && (1..BAND).all(|k| (entries[k] - old.entries[k]).abs() <= SAME)
@@ -474,24 +479,17 @@ impl<const N: usize> Fit<N> {
                 end = i + 1;
                 break;
             }
-            above = [row, above[0], above[1]];
         }
-        // Entries of `L` in the three rows below, and how these control points are moved.
-        let below = |k: usize| (end + k < total).then_some(end + k);
-        let mut rows: [[f64; BAND]; 3] =
-            std::array::from_fn(|k| below(k).map_or([0.0; BAND], |i| self.factors[i].entries));
-        let mut low: [[f64; N]; 3] = std::array::from_fn(|k| below(k).map_or([0.0; N], |i| self.moved[i]));
         let (mut begin, mut same) = (0, 0);
         for i in (0..end).rev() {
-            let Row { entries, side } = &self.factors[i];
+            let Some([own, near, far, farthest]) = self.factors[ABOVE + i..].first_chunk() else { break };
+            let Some([to, low0, low1, low2]) = self.moved[i..].first_chunk_mut() else { break };
             let moved = std::array::from_fn(|axis| {
-                side[axis] * entries[0]
-                    - rows[0][1] * low[0][axis]
-                    - rows[1][2] * low[1][axis]
-                    - rows[2][3] * low[2][axis]
+                let below = farthest.entries[3] * low2[axis] + far.entries[2] * low1[axis];
+                (own.side[axis] * own.entries[0] - below) - near.entries[1] * low0[axis]
             });
-            let by: [f64; N] = apart(moved, self.moved[i]);
-            self.moved[i] = moved;
+            let by: [f64; N] = apart(moved, *to);
+            *to = moved;
             let way = by.iter().map(|by| by.abs()).sum();
             self.ways[i] = way;
             let is_same = i < changed.start && by.iter().all(|by| by.abs() <= least);
@@ -500,8 +498,6 @@ impl<const N: usize> Fit<N> {
                 begin = i;
                 break;
             }
-            rows = [*entries, rows[0], rows[1]];
-            low = [moved, low[0], low[1]];
         }
         // No place of a span moves further than the control point that moves the furthest.
         let spans = begin.saturating_sub(BAND - 1)..end.min(self.strips.len());

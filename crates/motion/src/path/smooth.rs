@@ -145,6 +145,9 @@ pub(crate) struct Span {
 
 type Vector = [f64; AXES];
 
+/// `q`, `q′` and `q″` at a knot.
+type AtKnot<const N: usize> = [[f64; N]; 3];
+
 /// A run being smoothed.
 #[derive(Debug)]
 pub(crate) struct Smoother {
@@ -162,6 +165,9 @@ pub(crate) struct Smoother {
     controls: Vec<Vector>,
     /// Whether the span that begins at knot `k` of the run lies on more than one line.
     is_dense: Vec<bool>,
+    /// What is at the knots: of X, Y, Z, and of all axes where others move.
+    at: Vec<AtKnot<3>>,
+    at_all: Vec<AtKnot<AXES>>,
     /// The control points being fitted: of X, Y, Z, and of all axes where others move.
     fit: Fit<3>,
     fit_all: Fit<AXES>,
@@ -203,6 +209,8 @@ impl Smoother {
             knots: Vec::with_capacity(KNOTS),
             controls: Vec::with_capacity(KNOTS),
             is_dense: Vec::with_capacity(KNOTS),
+            at: Vec::with_capacity(KNOTS),
+            at_all: Vec::with_capacity(KNOTS),
             fit: Fit::new(KNOTS, LOOKS),
             fit_all: Fit::new(KNOTS, LOOKS),
             inverse,
@@ -303,6 +311,7 @@ impl Smoother {
         }
         let tolerance = self.points.iter().map(|point| point.tolerance).fold(f64::INFINITY, f64::min);
         self.soft = self.inverse.with_some_jerk(tolerance);
+        let (mut at, mut at_all) = (std::mem::take(&mut self.at), std::mem::take(&mut self.at_all));
         for round in 0..=ROUNDS {
             if round == ROUNDS {
                 // The last level keeps the tolerance by construction.
@@ -317,18 +326,22 @@ impl Smoother {
             // What is kept back rests on the knots that stand, so these must be good too.
             let spans = self.knots.len().saturating_sub(5);
             let last = (last + KEPT_SPANS).min(spans);
-            let is_good =
-                if self.count == 3 { self.check::<3>(last, round) } else { self.check::<AXES>(last, round) };
+            let is_good = if self.count == 3 {
+                self.check(&mut at, last, round)
+            } else {
+                self.check(&mut at_all, last, round)
+            };
             if is_good {
                 break;
             }
         }
         let last = self.last(open);
         if self.count == 3 {
-            self.hand_out::<3>(last, out);
+            self.hand_out(&at, last, out);
         } else {
-            self.hand_out::<AXES>(last, out);
+            self.hand_out(&at_all, last, out);
         }
+        (self.at, self.at_all) = (at, at_all);
         if open {
             self.keep_from(last);
         } else {
@@ -369,7 +382,7 @@ impl Smoother {
 
     /// `q`, `q′` and `q″` at knot `k`.
     #[inline]
-    fn at_knot<const N: usize>(&self, k: usize) -> [[f64; N]; 3] {
+    fn at_knot<const N: usize>(&self, k: usize) -> AtKnot<N> {
         let [a, b, c, d, e] = std::array::from_fn(|i| self.knots[k + i]);
         let (p, q, r) = (&self.controls[k], &self.controls[k + 1], &self.controls[k + 2]);
         let (f, g, whole) = ((d - a).recip(), (e - b).recip(), (d - b).recip());
@@ -388,21 +401,18 @@ impl Smoother {
 
     /// Span `k` between what is at its knots.
     #[inline]
-    fn cubic<const N: usize>(&self, k: usize, from: &[[f64; N]; 3], to: &[[f64; N]; 3]) -> [[f64; N]; 4] {
+    fn cubic<const N: usize>(&self, k: usize, from: &AtKnot<N>, to: &AtKnot<N>) -> [[f64; N]; 4] {
         let sixth = (6.0 * (self.t(k + 1) - self.t(k))).recip();
         let [q, first, second] = *from;
         [q, first, second.map(|e| 0.5 * e), std::array::from_fn(|i| (to[2][i] - second[i]) * sixth)]
     }
 
-    /// Hands out the spans before `last`.
-    fn hand_out<const N: usize>(&self, last: usize, mut out: impl FnMut(Span)) {
+    /// Hands out the spans before `last`, between what is `at` their knots.
+    fn hand_out<const N: usize>(&self, at: &[AtKnot<N>], last: usize, mut out: impl FnMut(Span)) {
         let mut first = 0;
-        let mut to = self.at_knot::<N>(0);
-        for k in 0..last {
-            let from = to;
-            to = self.at_knot(k + 1);
+        for (k, ends) in at.windows(2).take(last).enumerate() {
             let (begin, end) = (self.t(k), self.t(k + 1));
-            let (mut c, len) = (self.cubic(k, &from, &to), end - begin);
+            let (mut c, len) = (self.cubic(k, &ends[0], &ends[1]), end - begin);
             first = self.segment(begin, first);
             let middle = self.segment(0.5 * (begin + end), first);
             let line = &self.points[middle];

@@ -101,7 +101,8 @@ const LEAST_SUMMIT: f64 = 1e-6;
 /// How a plan is looked for.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 enum Care {
-    /// In longer steps, with bounds found once. There may be no way to a corner then where there is one with others.
+    /// In longer steps, with bounds found once and summits rounded once. There may be no way to a corner then where there is one with
+    /// others.
     Rough,
     /// With the bounds at about the speed that results.
     Bold,
@@ -244,6 +245,7 @@ pub(crate) struct Port {
 pub(crate) struct Grid {
     steps: Vec<Step>,
     known: Vec<Known>,
+    care: Care,
     to: Port,
     /// Speeds at the starts of cells.
     ends: Vec<f64>,
@@ -262,6 +264,7 @@ impl Grid {
         Grid {
             steps: Vec::with_capacity(STEPS + 8),
             known: Vec::with_capacity(STEPS + 8),
+            care: Care::Safe,
             to: Port { s: 0.0, state: State::REST },
             ends: Vec::with_capacity(CELL_RING + 8),
             hull: Vec::with_capacity(STEPS + 8),
@@ -288,11 +291,12 @@ impl Grid {
         let are_few = queue.node(first).turns_are_few;
         for care in [Care::Rough, Care::Bold, Care::Safe].into_iter().skip(usize::from(!are_few)) {
             self.to = to;
-            self.place(queue, from, [first, last], care.tau(), &cap);
+            self.care = care;
+            self.place(queue, from, [first, last], &cap);
             if self.steps.is_empty() {
                 return false;
             }
-            if self.find(queue, from, last, care) {
+            if self.find(queue, from, last) {
                 return true;
             }
         }
@@ -422,14 +426,8 @@ impl Grid {
     }
 
     /// Sets the steps. Where the speed is a cap that goes on over many cells, so do steps.
-    fn place(
-        &mut self,
-        queue: &Queue,
-        from: Port,
-        [first, last]: [u64; 2],
-        tau: f64,
-        cap: &impl Fn(&Node) -> f64,
-    ) {
+    fn place(&mut self, queue: &Queue, from: Port, [first, last]: [u64; 2], cap: &impl Fn(&Node) -> f64) {
+        let tau = self.care.tau();
         self.steps.clear();
         self.is_cut = false;
         let mut door = f64::INFINITY;
@@ -563,7 +561,7 @@ impl Grid {
     }
 
     /// Passes 2 to 6, again and again; `false` if no plan was found.
-    fn find(&mut self, queue: &Queue, from: Port, last: u64, care: Care) -> bool {
+    fn find(&mut self, queue: &Queue, from: Port, last: u64) -> bool {
         self.leave(queue);
         self.spare(queue, [from.state == State::REST, queue.node(last).rests]);
         let all = 0..self.steps.len();
@@ -571,12 +569,13 @@ impl Grid {
             return false;
         }
         // With its summits rounded it will be no faster.
-        if care == Care::Bold && self.come_closer(queue) && !self.rise_and_fall(all.clone(), from.state) {
+        if self.care == Care::Bold && self.come_closer(queue) && !self.rise_and_fall(all.clone(), from.state)
+        {
             return false;
         }
         self.round_off(all, from);
         for round in 0..ROUNDS {
-            let less = match care {
+            let less = match self.care {
                 Care::Rough | Care::Bold => LESS - EVERY_ROUND * round as f64,
                 Care::Safe => SAFELY_LESS,
             };
@@ -770,18 +769,20 @@ impl Grid {
         falling.v >= from.v * (1.0 - 1e-9) || self.steps[first].cap < from.v
     }
 
-    /// Pass 5. Which jerk is left depends on the acceleration that results: twice.
+    /// Pass 5. Which jerk is left depends on the acceleration that results: twice, if that is worth the time.
     fn round_summits(&mut self, range: Range<usize>, from: Port) {
         self.times.clear();
         let steps = self.steps[range.clone()].iter();
         self.times.extend(steps.map(|step| step.gap / larger(step.x.sqrt(), LEAST_SUMMIT)));
         self.lower(range.clone(), from, |steps, i| steps[i].slope.abs());
-        self.lower(range.clone(), from, |steps, i| {
-            let (Some(before), Some(behind)) = (i.checked_sub(1), steps.get(i + 1)) else {
-                return steps[i].slope.abs();
-            };
-            (0.5 * (behind.rounded - steps[before].rounded) / steps[i].gap).abs()
-        });
+        if self.care != Care::Rough {
+            self.lower(range.clone(), from, |steps, i| {
+                let (Some(before), Some(behind)) = (i.checked_sub(1), steps.get(i + 1)) else {
+                    return steps[i].slope.abs();
+                };
+                (0.5 * (behind.rounded - steps[before].rounded) / steps[i].gap).abs()
+            });
+        }
         for step in &mut self.steps[range] {
             if step.rounded < step.x {
                 step.x = step.rounded;

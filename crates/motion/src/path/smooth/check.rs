@@ -1,22 +1,27 @@
 //! The true distance between the spline and the lines.
 
-use super::{LEVELS, Smoother, TOLERANCE_SHARE, Vector, norm};
+use super::{AtKnot, LEVELS, Smoother, TOLERANCE_SHARE, Vector, norm};
 use crate::quick::{larger, smaller};
 
 /// In how many parts a span is looked at.
 const CHECKS: usize = 16;
 
 impl Smoother {
-    /// Whether the spans up to `last` keep the tolerance; if not, the points concerned go to their next level.
-    pub(super) fn check<const N: usize>(&mut self, last: usize, round: usize) -> bool {
+    /// Whether the spans up to `last` keep the tolerance; if not, the points concerned go to their next level. Notes what is at the
+    /// knots.
+    pub(super) fn check<const N: usize>(
+        &mut self,
+        at: &mut Vec<AtKnot<N>>,
+        last: usize,
+        round: usize,
+    ) -> bool {
+        at.clear();
+        at.extend((0..=last).map(|k| self.at_knot(k)));
         let mut is_good = true;
         let mut first = 0;
-        let mut to = self.at_knot::<N>(0);
-        for k in 0..last {
-            let from = to;
-            to = self.at_knot(k + 1);
+        for (k, ends) in at.windows(2).enumerate() {
             first = self.segment(self.t(k), first);
-            let Some(behind) = self.strays(k, first, &from, &to) else { continue };
+            let Some(behind) = self.strays(k, first, &ends[0], &ends[1]) else { continue };
             is_good = false;
             let until = (behind + 2).min(self.points.len());
             for point in &mut self.points[first.saturating_sub(1)..until] {
@@ -34,8 +39,8 @@ impl Smoother {
         &self,
         k: usize,
         first: usize,
-        from: &[[f64; N]; 3],
-        to: &[[f64; N]; 3],
+        from: &AtKnot<N>,
+        to: &AtKnot<N>,
     ) -> Option<usize> {
         let (begin, end) = (self.t(k), self.t(k + 1));
         let c = self.cubic(k, from, to);

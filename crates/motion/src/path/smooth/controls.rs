@@ -297,8 +297,8 @@ impl Smoother {
             let top = smaller(self.points[last].pace(), self.inverse.velocity(&direction));
             let drive = self.soft.straight(&direction);
             let tolerance = smaller(self.points[line].tolerance, self.points[last].tolerance);
-            fit.add_span(self.bends(k), stiff, tolerance, Stretch::new(len, top, drive, tolerance));
             let place = self.place(k);
+            fit.add_span(place.bends(), stiff, tolerance, Stretch::new(len, top, drive, tolerance));
             let mut look = |line: usize, u: f64, weight: f64| {
                 let point = &self.points[line];
                 let limit = point.tolerance * point.level().close;
@@ -344,19 +344,6 @@ impl Smoother {
         Place { t, inverses }
     }
 
-    /// Weights of the four control points in the third derivative on span `k`, and in the mean of the second.
-    fn bends(&self, k: usize) -> [[f64; BAND]; 2] {
-        let t: [f64; 6] = std::array::from_fn(|i| self.knots[k + i]);
-        let h = t[3] - t[2];
-        let [f0, f1, f2] = [3.0 / (t[3] - t[0]), 3.0 / (t[4] - t[1]), 3.0 / (t[5] - t[2])];
-        let [a, b] = [(t[3] - t[1]).recip(), (t[4] - t[2]).recip()];
-        let [w0, w1] = [2.0 * a / h, 2.0 * b / h];
-        [
-            [-w0 * f0, w1 * f1 + w0 * (f1 + f0), -w1 * (f2 + f1) - w0 * f1, w1 * f2],
-            [a * f0, b * f1 - a * (f1 + f0), a * f1 - b * (f2 + f1), b * f2],
-        ]
-    }
-
     /// Weights of the three control points about knot `k` in the value there.
     fn weights(&self, k: usize) -> [f64; 3] {
         let [a, b, c, d, e] = [0, 1, 2, 3, 4].map(|i| self.knots[k + i]);
@@ -375,6 +362,17 @@ struct Place {
 }
 
 impl Place {
+    /// Weights of the four control points in the third derivative, and in the mean of the second.
+    fn bends(&self) -> [[f64; BAND]; 2] {
+        let [h, a, b, h3, h4, h5] = self.inverses;
+        let [f0, f1, f2] = [3.0 * h3, 3.0 * h4, 3.0 * h5];
+        let [w0, w1] = [2.0 * a * h, 2.0 * b * h];
+        [
+            [-w0 * f0, w1 * f1 + w0 * (f1 + f0), -w1 * (f2 + f1) - w0 * f1, w1 * f2],
+            [a * f0, b * f1 - a * (f1 + f0), a * f1 - b * (f2 + f1), b * f2],
+        ]
+    }
+
     /// Weights of the four control points at `u` (de Boor).
     fn weights(&self, u: f64) -> [f64; BAND] {
         let t = &self.t;

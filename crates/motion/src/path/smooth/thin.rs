@@ -241,12 +241,13 @@ impl<const N: usize> Cone<N> {
             off[k] = self.last[k] - self.middle[k];
             square += off[k] * off[k];
         }
-        let apart = square.sqrt();
+        // Both at once, and no division behind the root.
+        let (apart, inverse) = (square.sqrt(), square.recip());
         if is_first || apart + own <= self.radius {
             (self.middle, self.radius) = (self.last, own);
         } else if apart + self.radius > own {
             // The largest ball in what both have in common; none if that is nothing.
-            let share = 0.5 * (apart - own + self.radius) / apart;
+            let share = 0.5 * (apart - own + self.radius) * (apart * inverse);
             for k in 0..N {
                 self.middle[k] += share * off[k];
             }

@@ -13,11 +13,12 @@ pub(super) struct Band {
     pub right: Vec<f64>,
 }
 
-/// What the rows that are done take from the next one, and from the one behind that: of the diagonal, of what is beside it, of the
-/// right side.
+/// What the rows that are done take from the next one, the last of them and the one before it, and from the one behind that: of the
+/// diagonal, of what is beside it, of the right side.
 #[derive(Clone, Copy, Default)]
 struct Taken {
     next: [f64; 3],
+    earlier: [f64; 2],
     behind: [f64; 2],
 }
 
@@ -25,14 +26,16 @@ impl Taken {
     /// Does a row with these entries: `1/d`, its entries of `L`, and its right side. `None` if the matrix is not positive.
     #[inline(always)]
     fn row(&mut self, [d, e, f]: [f64; 3], right: f64) -> Option<([f64; 3], f64)> {
-        let (d, e, right) = (d - self.next[0], e - self.next[1], right - self.next[2]);
+        // What is known last comes last: the next row waits for it.
+        let (d, e) = ((d - self.earlier[0]) - self.next[0], e - self.next[1]);
+        let right = (right - self.earlier[1]) - self.next[2];
         if !(d > 0.0) {
             return None;
         }
         let inverse = d.recip();
         let (l1, l2) = (e * inverse, f * inverse);
-        self.next = [self.behind[0] + l1 * e, l1 * f, self.behind[1] + l1 * right];
-        self.behind = [l2 * f, l2 * right];
+        self.next = [l1 * e, l1 * f, l1 * right];
+        (self.earlier, self.behind) = (self.behind, [l2 * f, l2 * right]);
         Some(([inverse, l1, l2], right))
     }
 }
@@ -66,8 +69,10 @@ impl Band {
         // What is left of the two rows in the middle.
         let (p, q) = (middle, middle + 1);
         let beside = e[p] - above.next[1] - below.next[1];
-        let (d0, d1) = (d[p] - above.next[0] - below.behind[0], d[q] - above.behind[0] - below.next[0]);
-        let (r0, r1) = (x[p] - above.next[2] - below.behind[1], x[q] - above.behind[1] - below.next[2]);
+        let [above_next, below_next] =
+            [above, below].map(|Taken { next, earlier, .. }| [next[0] + earlier[0], next[2] + earlier[1]]);
+        let (d0, d1) = (d[p] - above_next[0] - below.behind[0], d[q] - above.behind[0] - below_next[0]);
+        let (r0, r1) = (x[p] - above_next[1] - below.behind[1], x[q] - above.behind[1] - below_next[1]);
         let l = beside / d0;
         let rest = d1 - l * beside;
         if !(d0 > 0.0 && rest > 0.0) {
@@ -77,9 +82,9 @@ impl Band {
         x[p] = r0 / d0 - l * x[q];
         for i in (0..n - middle - 2).rev() {
             let k = n - 1 - i;
-            x[k] = x[k] * d[k] - e[k - 1] * x[k - 1] - f[k - 2] * x[k - 2];
+            x[k] = (x[k] * d[k] - f[k - 2] * x[k - 2]) - e[k - 1] * x[k - 1];
             if i < middle {
-                x[i] = x[i] * d[i] - e[i] * x[i + 1] - f[i] * x[i + 2];
+                x[i] = (x[i] * d[i] - f[i] * x[i + 2]) - e[i] * x[i + 1];
             }
         }
         true
