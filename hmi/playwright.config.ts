@@ -6,11 +6,15 @@ import { defineConfig } from '@playwright/test';
 // two browsers do and the stop in a dialog, which stand in the walk: `RETRIES` are those of all else.
 const SAFETY = /(keys|hand)\.spec\.ts$/;
 
+const retries = Number(process.env.RETRIES ?? 0);
+// It takes a sixth of the time: what is tried again is traced then.
+const trace = retries > 0 ? 'on-first-retry' : 'retain-on-failure';
+
 export default defineConfig({
   testDir: 'tests',
   projects: [
-    { name: 'safety', testMatch: SAFETY, retries: 0 },
-    { name: 'panel', testMatch: '*.spec.ts', testIgnore: SAFETY, retries: Number(process.env.RETRIES ?? 0) },
+    { name: 'safety', testMatch: SAFETY, retries: 0, use: { trace: 'retain-on-failure' } },
+    { name: 'panel', testMatch: '*.spec.ts', testIgnore: SAFETY, retries, use: { trace } },
   ],
   workers: 1,
   fullyParallel: false,
@@ -26,6 +30,5 @@ export default defineConfig({
       executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
       args: ['--no-sandbox', '--enable-unsafe-swiftshader'],
     },
-    trace: 'retain-on-failure',
   },
 });
