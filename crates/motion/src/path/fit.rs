@@ -110,6 +110,34 @@ impl<const N: usize> Row<N> {
     const STANDING: Row<N> = Row { entries: [1.0, 0.0, 0.0, 0.0], side: [0.0; N] };
 }
 
+/// What a span adds to the rows of its control points: all entries between these, and the right sides axis by axis, so that four
+/// numbers are added at once.
+#[derive(Clone, Copy, Debug)]
+struct Own<const N: usize> {
+    entries: [[f64; BAND]; BAND],
+    sides: [[f64; BAND]; N],
+}
+
+impl<const N: usize> Own<N> {
+    const ZERO: Own<N> = Own { entries: [[0.0; BAND]; BAND], sides: [[0.0; BAND]; N] };
+
+    /// Adds `weight·|Σ gᵢ·cᵢ − p|²` to what is to be least.
+    #[inline]
+    fn add(&mut self, weight: f64, g: &[f64; BAND], p: &[f64; N]) {
+        let shares = g.map(|g| weight * g);
+        for (row, share) in self.entries.iter_mut().zip(shares) {
+            for k in 0..BAND {
+                row[k] += share * g[k];
+            }
+        }
+        for (side, p) in self.sides.iter_mut().zip(p) {
+            for k in 0..BAND {
+                side[k] += shares[k] * p;
+            }
+        }
+    }
+}
+
 /// A span.
 #[derive(Clone, Copy, Debug)]
 struct Strip<const N: usize> {
@@ -144,10 +172,10 @@ pub(crate) struct Fit<const N: usize> {
     looks: Vec<Look<N>>,
     strips: Vec<Strip<N>>,
     /// What each span adds to the rows of its control points at first.
-    own: Vec<[Row<N>; BAND]>,
+    own: Vec<Own<N>>,
     /// Both before knots were put in.
     old: Vec<Strip<N>>,
-    old_own: Vec<[Row<N>; BAND]>,
+    old_own: Vec<Own<N>>,
     /// How fast every span is run, about.
     pub pace: Pace,
     /// The normal equations.
@@ -247,10 +275,9 @@ impl<const N: usize> Fit<N> {
         let k = self.strips.len();
         let (first_third, first_bend) = (self.at_first(k, &third), self.at_first(k, &bend));
         let looks = [self.looks.len(); 2];
-        self.own.push([Row::ZERO; BAND]);
-        if let Some(own) = self.own.last_mut() {
-            add(own, stiff, &third, &first_third.map(|c| -c));
-        }
+        let mut own = Own::ZERO;
+        own.add(stiff, &third, &first_third.map(|c| -c));
+        self.own.push(own);
         let (load, room) = (0.0, 0.0);
         self.strips.push(Strip { third, bend, first_third, first_bend, stiff, load, tolerance, looks, room });
         self.pace.stretches.push(stretch);
@@ -263,7 +290,7 @@ impl<const N: usize> Fit<N> {
         let p = apart(p, self.at_first(k, &basis));
         let look = Look { basis, weight, close: (limit * limit).recip(), p };
         if let (Some(strip), Some(own)) = (self.strips.last_mut(), self.own.last_mut()) {
-            add(own, weight, &look.basis, &look.p);
+            own.add(weight, &look.basis, &look.p);
             self.looks.push(look);
             strip.looks[1] = self.looks.len();
         }
@@ -273,7 +300,7 @@ impl<const N: usize> Fit<N> {
     pub fn tie(&mut self, k: usize, basis: [f64; BAND], weight: f64, p: [f64; N]) {
         let p = apart(p, self.at_first(k, &basis));
         if let Some(own) = self.own.get_mut(k) {
-            add(own, weight, &basis, &p);
+            own.add(weight, &basis, &p);
         }
     }
 
@@ -282,12 +309,12 @@ impl<const N: usize> Fit<N> {
         self.sums.clear();
         self.sums.resize(self.controls.len(), Row::ZERO);
         for (k, own) in self.own.iter().enumerate() {
-            for (sum, own) in self.sums[k..k + BAND].iter_mut().zip(own) {
-                for (sum, own) in sum.entries.iter_mut().zip(&own.entries) {
-                    *sum += own;
+            for (i, sum) in self.sums[k..k + BAND].iter_mut().enumerate() {
+                for back in 0..=i {
+                    sum.entries[back] += own.entries[i][i - back];
                 }
-                for (sum, own) in sum.side.iter_mut().zip(&own.side) {
-                    *sum += own;
+                for axis in 0..N {
+                    sum.side[axis] += own.sides[axis][i];
                 }
             }
         }

@@ -129,6 +129,16 @@ pub(crate) struct Member {
     pub most: f64,
     /// Inner corners at its ends are slowed down for (G62).
     pub inner: Option<InnerCorners>,
+    /// What was asked for, where that has been looked at and is smoothed with what asks for the same.
+    asked: Option<Asked>,
+}
+
+/// What is asked of a cut besides where it goes.
+#[derive(Clone, Copy, PartialEq, Debug)]
+struct Asked {
+    feed: f64,
+    path: PathMode,
+    rpm: f64,
 }
 
 /// How a move meets the one before it.
@@ -255,6 +265,7 @@ impl Member {
             rpm: m.rpm,
             most,
             inner,
+            asked: None,
         })
     }
 
@@ -263,17 +274,18 @@ impl Member {
     /// short lines go this way. `s` is the length of the path up to there; the length of the line, or `None`.
     #[inline]
     pub fn run_on(&mut self, m: &Cut, rules: &JointRules, s: f64) -> Option<f64> {
-        let (Cut { feed, path, .. }, Piece::Line(line)) = (*m, &mut self.piece) else { return None };
-        if rules.corner.is_some()
-            || matches!(path, PathMode::InnerCorners(_))
-            || self.class != cutting_class(path)
-            || self.rpm != m.rpm
-        {
-            return None;
-        }
-        let (tolerance, next_tolerance) = (self.tolerance?, rules.tolerance_of(path));
-        if !(tolerance > 0.0) || next_tolerance == Some(0.0) {
-            return None;
+        let (&Cut { feed, path, rpm, .. }, Piece::Line(line)) = (m, &mut self.piece) else { return None };
+        let tolerance = self.tolerance?;
+        let asked = Asked { feed, path, rpm };
+        let is_asked = self.asked == Some(asked);
+        if !is_asked {
+            let is_other = rules.corner.is_some()
+                || matches!(path, PathMode::InnerCorners(_))
+                || self.class != cutting_class(path)
+                || self.rpm != rpm;
+            if is_other || !(tolerance > 0.0) || rules.tolerance_of(path) == Some(0.0) {
+                return None;
+            }
         }
         let (dir, len) = line.next(&m.to)?;
         let shorter = line.len.min(len);
@@ -284,10 +296,13 @@ impl Member {
             return None;
         }
         line.go_on(&m.to, dir, len);
-        let [lowest, highest] = rules.feeds_of(self.class, m.rpm);
-        (self.tag, self.feed, self.tolerance) = (m.tag, feed.max(lowest), next_tolerance);
-        (self.most, self.inner) = (highest, None);
-        self.within_block = matches!(path, PathMode::WithinBlock(_));
+        self.tag = m.tag;
+        if !is_asked {
+            let [lowest, highest] = rules.feeds_of(self.class, rpm);
+            (self.feed, self.most) = (feed.max(lowest), highest);
+            (self.tolerance, self.inner, self.asked) = (rules.tolerance_of(path), None, Some(asked));
+            self.within_block = matches!(path, PathMode::WithinBlock(_));
+        }
         Some(len)
     }
 
