@@ -282,7 +282,8 @@ impl Member {
             let is_other = rules.corner.is_some()
                 || matches!(path, PathMode::InnerCorners(_))
                 || self.class != cutting_class(path)
-                || self.rpm != rpm;
+                || self.rpm != rpm
+                || moves_others(&line.dir);
             if is_other || !(tolerance > 0.0) || rules.tolerance_of(path) == Some(0.0) {
                 return None;
             }

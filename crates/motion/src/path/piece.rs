@@ -296,15 +296,11 @@ impl Line {
         self.from.zip(self.dir, |p, d| p + d * s)
     }
 
-    /// Direction and length of a line of X, Y and Z alone from its end to `to`, if it is one of them itself; else
-    /// `None`. As [`Line::new`] finds them, but for rounding.
+    /// Direction and length of a line from its end to `to`, if that is one of X, Y and Z alone as this one is; else `None`.
+    /// As [`Line::new`] finds them, but for rounding.
     #[inline]
     pub fn next(&self, to: &Position) -> Option<([f64; 3], f64)> {
-        let mut is_other = false;
-        for i in 3..AXES {
-            is_other |= (self.dir.0[i] != 0.0) | (self.to.0[i] != to.0[i]);
-        }
-        if is_other {
+        if self.to.0[3..] != to.0[3..] {
             return None;
         }
         let d: [f64; 3] = std::array::from_fn(|i| to.0[i] - self.to.0[i]);

@@ -153,6 +153,8 @@ type AtKnot<const N: usize> = [[f64; N]; 3];
 pub(crate) struct Smoother {
     pub class: Class,
     points: Vec<Point>,
+    /// Their lengths once more: these are gone through to find a point.
+    lengths: Vec<f64>,
     /// So many points in front stay: the first line, and what was smoothed already.
     standing: usize,
     /// Places of the points that are kept.
@@ -202,6 +204,7 @@ impl Smoother {
         Smoother {
             class: Class::Cut,
             points: Vec::with_capacity(POINTS + SPARE),
+            lengths: Vec::with_capacity(POINTS + SPARE),
             standing: 0,
             kept: Vec::with_capacity(POINTS + SPARE),
             chords: Vec::with_capacity(POINTS + SPARE),
@@ -231,6 +234,7 @@ impl Smoother {
 
     pub fn clear(&mut self) {
         self.points.clear();
+        self.lengths.clear();
         self.goes_on = false;
         self.count = 3;
     }
@@ -278,6 +282,7 @@ impl Smoother {
         let point =
             Point { p, u, feed: 0.0, most: f64::INFINITY, tolerance, programmed: tolerance, level: 0 };
         self.points.push(point);
+        self.lengths.push(u);
         self.leave_out()
     }
 
@@ -367,11 +372,9 @@ impl Smoother {
 
     /// The line that length `u` lies on, searched from line `from` on.
     fn segment(&self, u: f64, from: usize) -> usize {
-        let mut i = from;
-        while i + 2 < self.points.len() && self.points[i + 1].u <= u {
-            i += 1;
-        }
-        i
+        let inner = self.lengths.len().saturating_sub(1);
+        let behind = self.lengths.get(from + 1..inner).unwrap_or(&[]);
+        from + behind.iter().take_while(|behind| **behind <= u).count()
     }
 
     /// The point that chord `i` begins with; none where a run goes on from a knot inside a line.

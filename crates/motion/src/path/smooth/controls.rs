@@ -281,7 +281,7 @@ impl Smoother {
                 fit.skip(Stretch::free(len, self.points[line].pace()));
                 continue;
             }
-            let lines = self.points[line + 1..].iter().take_while(|point| point.u < end).count();
+            let lines = self.lengths[line + 1..].iter().take_while(|u| **u < end).count();
             let last = (line + lines).min(self.points.len() - 2);
             let near = |k: usize| self.t(k + 1) - self.t(k);
             let least = smaller(smaller(near(k.saturating_sub(1)), len), near((k + 1).min(spans - 1)));

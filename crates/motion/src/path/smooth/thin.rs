@@ -57,6 +57,7 @@ impl Smoother {
         a.tolerance = a.programmed - off;
         let u = a.u;
         self.points.remove(at);
+        self.lengths.remove(at);
         Some(u)
     }
 
