@@ -328,8 +328,33 @@ impl<const N: usize> Fit<N> {
     /// The same again, with more weight where the spline is far from the lines, as long as it is: in fewer rounds where turns are
     /// `few`. A round goes only as far as something changes.
     pub fn close(&mut self, few: bool) {
-        let pressure = if few { PRESSURE_WHERE_FEW } else { self.pressure() };
         self.all_move();
+        self.come_close(few);
+    }
+
+    /// One more place of span `k`, where a fit that is close elsewhere is not: it is looked at by [`close_in`](Self::close_in).
+    pub fn look_closer(&mut self, k: usize, basis: [f64; BAND], weight: f64, p: [f64; N], limit: f64) {
+        let p = apart(p, self.at_first(k, &basis));
+        let strip = &mut self.strips[k];
+        let [from, to] = std::mem::replace(&mut strip.looks, [self.looks.len(); 2]);
+        strip.room = 0.0;
+        self.looks.extend_from_within(from..to);
+        self.looks.push(Look { basis, weight, close: (limit * limit).recip(), p });
+        strip.looks[1] = self.looks.len();
+        if let Some(sums) = self.sums[k..].first_chunk_mut() {
+            add(sums, weight, &basis, &p);
+        }
+    }
+
+    /// [`close`](Self::close) for these spans, one behind the other, and what bears on them.
+    pub fn close_in(&mut self, spans: impl Iterator<Item = usize>, few: bool) {
+        self.moving.clear();
+        self.moving.extend(spans.map(|k| k..k + 1));
+        self.come_close(few);
+    }
+
+    fn come_close(&mut self, few: bool) {
+        let pressure = if few { PRESSURE_WHERE_FEW } else { self.pressure() };
         for round in 0..=ROUNDS {
             let power = 1.0 + pressure.harder * round as f64;
             if self.press(pressure.closer, power) <= CLOSE_ENOUGH {

@@ -35,6 +35,7 @@ use crate::moves::ways;
 use crate::path::fit::Fit;
 use crate::path::shape::Smooth;
 use crate::quick::smaller;
+use check::Stray;
 use ferrocut_geometry::{AXES, Position, SAME_POINT_MM};
 
 /// Most points of a run that are smoothed at once; a longer run goes on from where it was, and smooths some spans again.
@@ -81,6 +82,9 @@ const ROUNDING: f64 = 1e-12;
 /// Knots and control points that stand where a run goes on: what one span needs.
 const STANDING_KNOTS: usize = 6;
 const STANDING_CONTROLS: usize = 4;
+
+/// How often a curve is brought closer where it does not keep the tolerance, as long as that is in no more places.
+const CLOSER: usize = 4;
 
 /// How often levels are raised one by one.
 const ROUNDS: usize = 20;
@@ -170,6 +174,10 @@ pub(crate) struct Smoother {
     /// What is at the knots: of X, Y, Z, and of all axes where others move.
     at: Vec<AtKnot<3>>,
     at_all: Vec<AtKnot<AXES>>,
+    /// Spans that do not keep the tolerance.
+    strays: Vec<Stray>,
+    /// Whether the curve is brought close in few rounds.
+    is_rough: bool,
     /// The control points being fitted: of X, Y, Z, and of all axes where others move.
     fit: Fit<3>,
     fit_all: Fit<AXES>,
@@ -214,6 +222,8 @@ impl Smoother {
             is_dense: Vec::with_capacity(KNOTS),
             at: Vec::with_capacity(KNOTS),
             at_all: Vec::with_capacity(KNOTS),
+            strays: Vec::with_capacity(KNOTS),
+            is_rough: false,
             fit: Fit::new(KNOTS, LOOKS),
             fit_all: Fit::new(KNOTS, LOOKS),
             inverse,
@@ -332,13 +342,14 @@ impl Smoother {
             let spans = self.knots.len().saturating_sub(5);
             let last = (last + KEPT_SPANS).min(spans);
             let is_good = if self.count == 3 {
-                self.check(&mut at, last, round)
+                self.keeps_close(&mut at, last, open)
             } else {
-                self.check(&mut at_all, last, round)
+                self.keeps_close(&mut at_all, last, open)
             };
             if is_good {
                 break;
             }
+            self.raise_levels(round);
         }
         let last = self.last(open);
         if self.count == 3 {
@@ -352,6 +363,22 @@ impl Smoother {
         } else {
             self.clear();
         }
+    }
+
+    /// Whether the spans up to `last` keep the tolerance, be it that the curve is brought closer where they do not: that takes far less
+    /// time than to smooth all of the run again.
+    fn keeps_close<const N: usize>(&mut self, at: &mut Vec<AtKnot<N>>, last: usize, open: bool) -> bool {
+        let mut before = usize::MAX;
+        for _ in 0..CLOSER {
+            if self.check(at, last) {
+                return true;
+            }
+            if self.strays.len() > before || !self.come_closer(open) {
+                return false;
+            }
+            before = self.strays.len();
+        }
+        self.check(at, last)
     }
 
     // Knot `k` of the run is `knots[k + 2]`, control point `k` is `controls[k + 1]`; spans are 0, 1, …

@@ -6,42 +6,49 @@ use crate::quick::{larger, smaller};
 /// In how many parts a span is looked at.
 const CHECKS: usize = 16;
 
+/// A span that does not keep the tolerance, the first and the last point that it is set against, and a place where it is beyond.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Stray {
+    pub span: usize,
+    pub points: [usize; 2],
+    pub u: f64,
+}
+
 impl Smoother {
-    /// Whether the spans up to `last` keep the tolerance; if not, the points concerned go to their next level. Notes what is at the
-    /// knots.
-    pub(super) fn check<const N: usize>(
-        &mut self,
-        at: &mut Vec<AtKnot<N>>,
-        last: usize,
-        round: usize,
-    ) -> bool {
+    /// Whether the spans up to `last` keep the tolerance; those that do not are noted, and what is `at` the knots.
+    pub(super) fn check<const N: usize>(&mut self, at: &mut Vec<AtKnot<N>>, last: usize) -> bool {
         at.clear();
         at.extend((0..=last).map(|k| self.at_knot(k)));
-        let mut is_good = true;
+        self.strays.clear();
         let mut first = 0;
-        for (k, ends) in at.windows(2).enumerate() {
-            first = self.segment(self.t(k), first);
-            let Some(behind) = self.strays(k, first, &ends[0], &ends[1]) else { continue };
-            is_good = false;
-            let until = (behind + 2).min(self.points.len());
+        for (span, ends) in at.windows(2).enumerate() {
+            first = self.segment(self.t(span), first);
+            let stray = self.goes_astray(span, first, &ends[0], &ends[1]);
+            self.strays.extend(stray);
+        }
+        self.strays.is_empty()
+    }
+
+    /// The points of the spans that do not keep the tolerance go to their next level.
+    pub(super) fn raise_levels(&mut self, round: usize) {
+        for Stray { points: [first, last], .. } in &self.strays {
+            let until = (last + 2).min(self.points.len());
             for point in &mut self.points[first.saturating_sub(1)..until] {
                 // One level a round, however many spans are at fault.
                 point.level =
                     (point.level + 1).min(round as u8 + 1).min(LEVELS.len() as u8 - 1).max(point.level);
             }
         }
-        is_good
     }
 
-    /// The last point of span `k`, which begins on line `first`, if the span is too far from the lines; `from` and `to` is
-    /// what is at its knots.
-    fn strays<const N: usize>(
+    /// Span `k`, which begins on line `first`, if it is too far from the lines; `from` and `to` is what is at its knots.
+    fn goes_astray<const N: usize>(
         &self,
         k: usize,
         first: usize,
         from: &AtKnot<N>,
         to: &AtKnot<N>,
-    ) -> Option<usize> {
+    ) -> Option<Stray> {
         let (begin, end) = (self.t(k), self.t(k + 1));
         let c = self.cubic(k, from, to);
         // At the same lengths the spline and the lines are no further apart than at the knots and at the points, and by what
@@ -72,8 +79,9 @@ impl Smoother {
         }
         // Programmed points from the spline.
         let points = &self.points[first + 1..=last];
-        if points.iter().any(|point| is_across(&c, point.u - begin, &point.p.0, limit)) {
-            return Some(last);
+        let stray = |u: f64| Some(Stray { span: k, points: [first, last], u });
+        if let Some(point) = points.iter().find(|point| is_across(&c, point.u - begin, &point.p.0, limit)) {
+            return stray(point.u);
         }
         // The spline from the programmed lines, between them.
         let mut line = first;
@@ -87,7 +95,7 @@ impl Smoother {
             let is_beside =
                 || (line > 0 && is_near(line - 1)) || (line + 2 < self.points.len() && is_near(line + 1));
             if !(is_near(line) || is_beside()) {
-                return Some(last);
+                return stray(begin + s);
             }
         }
         None

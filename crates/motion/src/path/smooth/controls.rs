@@ -1,5 +1,6 @@
 //! Control points: on the chords first, then where the fit is best.
 
+use super::check::Stray;
 use super::{STANDING_CONTROLS, STANDING_KNOTS, Smoother, front};
 use crate::path::fit::{BAND, Fit};
 use crate::path::pace::Stretch;
@@ -57,6 +58,52 @@ impl Smoother {
         }
     }
 
+    /// Brings the curve closer where a span does not keep the tolerance. `false` where nothing is free.
+    pub(super) fn come_closer(&mut self, open: bool) -> bool {
+        if self.count == 3 {
+            let mut fit = std::mem::take(&mut self.fit);
+            let goes = self.close_in(&mut fit, open);
+            self.fit = fit;
+            goes
+        } else {
+            let mut fit = std::mem::take(&mut self.fit_all);
+            let goes = self.close_in(&mut fit, open);
+            self.fit_all = fit;
+            goes
+        }
+    }
+
+    fn close_in<const N: usize>(&mut self, fit: &mut Fit<N>, open: bool) -> bool {
+        // Without a fit there are no first control points.
+        let is_fitted = !fit.controls.is_empty();
+        if is_fitted {
+            for Stray { span, points: [first, _], u } in self.strays.iter().copied() {
+                let line = self.segment(u, first);
+                let weight = (self.t(span + 1) - self.t(span)) / LOOKS as f64;
+                let (basis, p) = (self.place(span).weights(u), self.on_line(line, u));
+                fit.look_closer(span, basis, weight, p, self.limit(line, u));
+            }
+            fit.close_in(self.strays.iter().map(|stray| stray.span), self.is_rough);
+            self.follow(fit, open);
+        }
+        is_fitted
+    }
+
+    /// Moves the control points to where the fit has them.
+    fn follow<const N: usize>(&mut self, fit: &Fit<N>, open: bool) {
+        for (control, (first, moved)) in self.controls.iter_mut().zip(fit.controls.iter().zip(&fit.moved)) {
+            for i in 0..N {
+                control[i] = first[i] + moved[i];
+            }
+        }
+        self.hold_ends(self.turns(open), open);
+    }
+
+    /// Whether the first and the last span may turn and bend: an end at rest, of which only the place stands.
+    fn turns(&self, open: bool) -> [bool; 2] {
+        [!self.goes_on && !self.keeps[0], open || !self.keeps[1]]
+    }
+
     /// Control points on the chords.
     fn place_on_chords(&mut self) {
         let n = self.count;
@@ -84,8 +131,7 @@ impl Smoother {
     /// integral over the distance from the programmed lines is taken at some places of every span; the third derivative
     /// is constant on a span.
     fn relax<const N: usize>(&mut self, fit: &mut Fit<N>, open: bool) {
-        // An end at rest may turn and bend; only its place stands.
-        let turns = [!self.goes_on && !self.keeps[0], open || !self.keeps[1]];
+        let turns = self.turns(open);
         let unknown = f64::INFINITY;
         fit.pace.ends = [
             if self.goes_on { unknown } else { self.speeds[0] },
@@ -93,28 +139,24 @@ impl Smoother {
         ];
         fit.pace.straight = self.straight(open);
         self.origins.clear();
-        self.turns_are_few = false;
+        (self.turns_are_few, self.is_rough) = (false, false);
         fit.clear();
         if self.set(fit, turns, open) {
             fit.solve();
             fit.find_pace(&self.soft);
-            let mut is_rough = false;
             if fit.pace.is_slow() {
                 self.turns_are_few = self.lines() >= MANY_LINES && !fit.is_much_slow();
                 // A way from rest or to rest is long in time; without a limit of jerk another stiffness would be right.
-                is_rough = self.turns_are_few
+                self.is_rough = self.turns_are_few
                     && !fit.pace.ends.contains(&0.0)
                     && !self.inverse.is_free_of_jerk(&[1.0; N]);
-                self.pace(fit, turns, open, is_rough);
+                self.pace(fit, turns, open);
             }
-            fit.close(is_rough);
-            for (control, moved) in self.controls.iter_mut().zip(&fit.moved) {
-                for i in 0..N {
-                    control[i] += moved[i];
-                }
-            }
+            fit.close(self.is_rough);
+            self.follow(fit, open);
+        } else {
+            self.hold_ends(turns, open);
         }
-        self.hold_ends(turns, open);
     }
 
     /// How far from the ends, where it rests there, the path need not bend. A fit that is soft there, because it is slow, bends
@@ -126,8 +168,8 @@ impl Smoother {
     }
 
     /// Makes the fit as fine and as stiff as the speed asks for.
-    fn pace<const N: usize>(&mut self, fit: &mut Fit<N>, turns: [bool; 2], open: bool, is_rough: bool) {
-        let fine = if is_rough { FINE_FOR_FEW } else { FINE };
+    fn pace<const N: usize>(&mut self, fit: &mut Fit<N>, turns: [bool; 2], open: bool) {
+        let fine = if self.is_rough { FINE_FOR_FEW } else { FINE };
         if !self.split(fit, open, fine) {
             return;
         }
@@ -137,7 +179,7 @@ impl Smoother {
         fit.pace.take_parts();
         fit.stiffen(open, fine.stiff);
         fit.solve();
-        if is_rough {
+        if self.is_rough {
             return;
         }
         let with_its_speeds = |fit: &mut Fit<N>| {
@@ -287,12 +329,7 @@ impl Smoother {
             let least = smaller(smaller(near(k.saturating_sub(1)), len), near((k + 1).min(spans - 1)));
             let l = self.points[last].level().reach * least;
             let stiff = l * l * l * l * l * l * len;
-            let on = |line: usize, u: f64| {
-                let (a, b) = (&self.points[line], &self.points[line + 1]);
-                let share = (u - a.u) / (b.u - a.u);
-                std::array::from_fn::<f64, N, _>(|i| a.p.0[i] + (b.p.0[i] - a.p.0[i]) * share)
-            };
-            let (from, to) = (on(line, begin), on(last, end));
+            let (from, to) = (self.on_line::<N>(line, begin), self.on_line::<N>(last, end));
             let direction: [f64; N] = std::array::from_fn(|i| (to[i] - from[i]) / len);
             let top = smaller(self.points[last].pace(), self.inverse.velocity(&direction));
             let drive = self.soft.straight(&direction);
@@ -300,9 +337,7 @@ impl Smoother {
             let place = self.place(k);
             fit.add_span(place.bends(), stiff, tolerance, Stretch::new(len, top, drive, tolerance));
             let mut look = |line: usize, u: f64, weight: f64| {
-                let point = &self.points[line];
-                let limit = point.tolerance * point.level().close;
-                fit.look_at(place.weights(u), weight, on(line, u), limit);
+                fit.look_at(place.weights(u), weight, self.on_line(line, u), self.limit(line, u));
             };
             if lines < LOOKS {
                 // At every vertex, and between them.
@@ -326,6 +361,25 @@ impl Smoother {
                 look(line, u, weight);
             }
         }
+    }
+
+    /// How far the curve may be from the length `u` of a line: a point where two lines meet is within what both leave it.
+    #[inline]
+    fn limit(&self, line: usize, u: f64) -> f64 {
+        let point = &self.points[line];
+        let tolerance = match line.checked_sub(1) {
+            Some(before) if u <= point.u => smaller(point.tolerance, self.points[before].tolerance),
+            _ => point.tolerance,
+        };
+        tolerance * point.level().close
+    }
+
+    /// The place at the length `u` of a line.
+    #[inline]
+    fn on_line<const N: usize>(&self, line: usize, u: f64) -> [f64; N] {
+        let (a, b) = (&self.points[line], &self.points[line + 1]);
+        let share = (u - a.u) / (b.u - a.u);
+        std::array::from_fn(|i| a.p.0[i] + (b.p.0[i] - a.p.0[i]) * share)
     }
 
     /// Which span `k` was before knots were put in, if all knots that bear on it are the same.
