@@ -14,6 +14,9 @@
 //! back speed is `v − a²/2J`. [`Load::room`] finds `A` and `J` with which the whole ramp stays inside; less of
 //! either does too, so a ramp over several pieces takes the least of theirs.
 
+// One loop over the four places of shares is what compilers make vectors of.
+#![allow(clippy::needless_range_loop)]
+
 use crate::quick::{cube_root, larger, smaller};
 use ferrocut_geometry::AXES;
 use ferrocut_machine::{AxisConfig, Machine, Ramp};
