@@ -332,11 +332,23 @@ impl<const N: usize> Fit<N> {
         self.come_close(few);
     }
 
-    /// One more place of span `k`, where a fit that is close elsewhere is not: it is looked at by [`close_in`](Self::close_in).
-    pub fn look_closer(&mut self, k: usize, basis: [f64; BAND], weight: f64, p: [f64; N], limit: f64) {
+    /// One more place of span `k`, where a fit that is close elsewhere is not: it is looked at by [`close_in`](Self::close_in). `false`
+    /// where nothing is free, or there is no room.
+    pub fn look_closer(
+        &mut self,
+        k: usize,
+        basis: [f64; BAND],
+        weight: f64,
+        p: [f64; N],
+        limit: f64,
+    ) -> bool {
+        let Some([from, to]) = self.strips.get(k).map(|strip| strip.looks) else { return false };
+        if !self.bears(k) || self.looks.len() + (to - from) >= self.looks.capacity() {
+            return false;
+        }
         let p = apart(p, self.at_first(k, &basis));
         let strip = &mut self.strips[k];
-        let [from, to] = std::mem::replace(&mut strip.looks, [self.looks.len(); 2]);
+        strip.looks = [self.looks.len(); 2];
         strip.room = 0.0;
         self.looks.extend_from_within(from..to);
         self.looks.push(Look { basis, weight, close: (limit * limit).recip(), p });
@@ -344,6 +356,7 @@ impl<const N: usize> Fit<N> {
         if let Some(sums) = self.sums[k..].first_chunk_mut() {
             add(sums, weight, &basis, &p);
         }
+        true
     }
 
     /// [`close`](Self::close) for these spans, one behind the other, and what bears on them.
@@ -353,6 +366,7 @@ impl<const N: usize> Fit<N> {
         self.come_close(few);
     }
 
+    /// Weighs more where the spans that move are far from the lines, again and again.
     fn come_close(&mut self, few: bool) {
         let pressure = if few { PRESSURE_WHERE_FEW } else { self.pressure() };
         for round in 0..=ROUNDS {

@@ -6,12 +6,14 @@ use crate::quick::{larger, smaller};
 /// In how many parts a span is looked at.
 const CHECKS: usize = 16;
 
-/// A span that does not keep the tolerance, the first and the last point that it is set against, and a place where it is beyond.
+/// A span that does not keep the tolerance, the first and the last point that it is set against, a place where it is beyond, and the
+/// tolerance that it is to keep.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Stray {
     pub span: usize,
     pub points: [usize; 2],
     pub u: f64,
+    pub tolerance: f64,
 }
 
 impl Smoother {
@@ -79,7 +81,7 @@ impl Smoother {
         }
         // Programmed points from the spline.
         let points = &self.points[first + 1..=last];
-        let stray = |u: f64| Some(Stray { span: k, points: [first, last], u });
+        let stray = |u: f64| Some(Stray { span: k, points: [first, last], u, tolerance });
         if let Some(point) = points.iter().find(|point| is_across(&c, point.u - begin, &point.p.0, limit)) {
             return stray(point.u);
         }

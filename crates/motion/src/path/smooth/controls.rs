@@ -58,7 +58,7 @@ impl Smoother {
         }
     }
 
-    /// Brings the curve closer where a span does not keep the tolerance. `false` where nothing is free.
+    /// Brings the curve closer where a span does not keep the tolerance. `false` where it can be brought no closer.
     pub(super) fn come_closer(&mut self, open: bool) -> bool {
         if self.count == 3 {
             let mut fit = std::mem::take(&mut self.fit);
@@ -74,19 +74,19 @@ impl Smoother {
     }
 
     fn close_in<const N: usize>(&mut self, fit: &mut Fit<N>, open: bool) -> bool {
-        // Without a fit there are no first control points.
-        let is_fitted = !fit.controls.is_empty();
-        if is_fitted {
-            for Stray { span, points: [first, _], u } in self.strays.iter().copied() {
-                let line = self.segment(u, first);
-                let weight = (self.t(span + 1) - self.t(span)) / LOOKS as f64;
-                let (basis, p) = (self.place(span).weights(u), self.on_line(line, u));
-                fit.look_closer(span, basis, weight, p, self.limit(line, u));
-            }
+        let mut is_closer = false;
+        for &Stray { span, points: [first, _], u, tolerance } in &self.strays {
+            let line = self.segment(u, first);
+            let weight = (self.t(span + 1) - self.t(span)) / LOOKS as f64;
+            let (basis, p) = (self.place(span).weights(u), self.on_line(line, u));
+            let limit = smaller(tolerance, self.points[line].tolerance) * self.points[line].level().close;
+            is_closer |= fit.look_closer(span, basis, weight, p, limit);
+        }
+        if is_closer {
             fit.close_in(self.strays.iter().map(|stray| stray.span), self.is_rough);
             self.follow(fit, open);
         }
-        is_fitted
+        is_closer
     }
 
     /// Moves the control points to where the fit has them.
