@@ -92,8 +92,8 @@ impl Ground {
         places: &[f64],
     ) {
         let mut cell = first;
-        // Along the last two steps.
-        let mut before = [f64::INFINITY; 2];
+        // Along the two steps before.
+        let mut caps = [f64::INFINITY; 2];
         self.caps.fill(f64::INFINITY);
         self.limits_path = false;
         for (k, s) in places.iter().copied().enumerate() {
@@ -102,9 +102,9 @@ impl Ground {
             if let Some(end) = places.get(k + 1) {
                 let cap = road.least_cap(cell, *end);
                 if k >= 2 {
-                    self.caps[k] = smaller(smaller(before[0], before[1]), cap);
+                    self.caps[k] = smaller(smaller(caps[0], caps[1]), cap);
                 }
-                before = [before[1], cap];
+                caps = [caps[1], cap];
             }
             let inverse = road.inverses.of(node.class);
             for i in 0..N {
@@ -115,8 +115,8 @@ impl Ground {
             // A border belongs to both sides.
             let left = if s <= node.s + 1e-12 && k > 0 { road.side_before(cell, s) } else { cell };
             let behind = road.derivatives(cell, s);
-            let ahead = if left == cell { behind } else { road.derivatives(left, s) };
-            for (side, at) in self.derivatives.iter_mut().zip([behind, ahead]) {
+            let before = if left == cell { behind } else { road.derivatives(left, s) };
+            for (side, at) in self.derivatives.iter_mut().zip([behind, before]) {
                 for (columns, at) in side.iter_mut().zip(at) {
                     for (column, d) in columns.iter_mut().zip(at) {
                         column[k] = d;
@@ -317,5 +317,108 @@ impl Valley {
                 }
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::limits::{Class, Inverses, Limits, Rates};
+    use crate::path::shape::Cubic;
+    use crate::timing::queue::{Pass, Queue};
+    use ferrocut_machine::Machine;
+
+    const CELLS: usize = 6;
+    const LEN: f64 = 0.8;
+
+    /// A curve of cubics of which the third derivative jumps where they meet.
+    fn queue(inverses: &Inverses) -> Queue {
+        let mut queue = Queue::new();
+        let wave = |i: usize, by: f64| (i as f64 * by).sin();
+        for k in 0..CELLS {
+            let c = std::array::from_fn(|of| {
+                let size = [0.0, 0.7, 0.08, 0.05][of];
+                std::array::from_fn(|axis| size * (1.0 + wave(3 * k + axis, 1.7 + of as f64)))
+            });
+            let cubic = Cubic { c, len: LEN };
+            let (rates, _): (Rates<3>, f64) = cubic.rates(1.0);
+            let node = Node {
+                s: k as f64 * LEN,
+                len: LEN,
+                load: inverses.of(Class::Cut).load(&rates),
+                top: 200.0,
+                most: 200.0,
+                feed: 200.0,
+                basis: 0.0,
+                class: Class::Cut,
+                pass: Pass::Path,
+                turns_are_few: false,
+                rests: k + 1 == CELLS,
+            };
+            queue.append_xyz(&cubic, &[0.0; AXES - 3], &node);
+        }
+        queue
+    }
+
+    #[test]
+    fn rows_are_what_the_true_derivatives_take_of_the_bounds() {
+        let inverses = Inverses::new(&Limits::new(&Machine::demo_mill()));
+        let queue = queue(&inverses);
+        let road = Road::<3, _> { queue: &queue, inverses: &inverses, cap: |node: &Node| node.most };
+        // More places than there are in a block; some lie where cells meet.
+        let places = 2 * LANES + 5;
+        let all = CELLS as f64 * LEN;
+        let mut valley = Valley::new();
+        valley.s = (0..places).map(|k| all * k as f64 / (places - 1) as f64).collect();
+        let step = |k: usize| valley.s[k + 1] - valley.s[k];
+        valley.h =
+            std::iter::once(step(0)).chain((0..places - 1).map(step)).chain([step(places - 2)]).collect();
+        valley.x = (0..=places).map(|k| 2500.0 + 900.0 * (k as f64 * 0.4).sin()).collect();
+        valley.x.resize(valley.h.len() + crate::timing::valley::PAD, 0.0);
+        valley.bound(&road, 0);
+        valley.look();
+        let accelerated = |k: usize| (valley.x[k + 1] - valley.x[k]) / (valley.h[k] + valley.h[k + 1]);
+        let inverse = inverses.of(Class::Cut);
+        let mut seen = 0;
+        for block in &valley.rows.blocks {
+            for i in (0..LANES).filter(|i| block.counts[*i] > 0.0) {
+                let k = block.base + i + block.root.place();
+                let cell = road.cell(0, valley.s[k]);
+                let side = if block.root == Root::Before && k > 0 && valley.s[k] <= queue.node(cell).s + 1e-12
+                {
+                    cell - 1
+                } else {
+                    cell
+                };
+                let [d1, d2, d3] = road.derivatives(side, valley.s[k]);
+                let (x, a) = (valley.at(k).0, accelerated(k));
+                let push = match block.root {
+                    Root::None => 0.0,
+                    Root::Behind => (accelerated(k + 1) - a) / valley.h[k + 1],
+                    Root::Before => (a - accelerated(k - 1)) / valley.h[k],
+                };
+                let of_axis = |axis: usize| match block.root {
+                    Root::None => {
+                        (d2[axis] * x + d1[axis] * a) * inverse.acceleration[axis] / ACCELERATION_SHARE
+                    }
+                    Root::Behind | Root::Before => {
+                        let line = d3[axis] * x + 3.0 * d2[axis] * a + d1[axis] * push;
+                        line * x.sqrt() * inverse.jerk[axis] / JERK_SHARE
+                    }
+                };
+                // One of the axes, or the speed.
+                let value = f64::from(block.value[i]);
+                let is_near = |expected: f64| (value - expected).abs() <= 1e-4 * (1.0 + expected.abs());
+                let speed = valley.x[block.base + i] / (200.0 * 200.0);
+                assert!(
+                    (0..3).any(|axis| is_near(of_axis(axis))) || block.root == Root::None && is_near(speed),
+                    "{:?} at {k}: {value}, {:?}",
+                    block.root,
+                    [0, 1, 2].map(of_axis)
+                );
+                seen += 1;
+            }
+        }
+        assert!(seen == valley.rows.count && seen > 3 * places, "{seen} rows of {places} places");
     }
 }
