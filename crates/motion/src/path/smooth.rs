@@ -66,7 +66,7 @@ struct Level {
 }
 
 const LEVELS: [Level; 8] = [
-    Level { chord: 2.0, spread: 1.0, reach: 0.9, close: 0.95 },
+    Level { chord: 2.0, spread: 1.0, reach: 0.9, close: 0.97 },
     Level { chord: 2.0, spread: 1.0, reach: 0.9, close: 0.85 },
     Level { chord: 1.0, spread: 0.8, reach: 0.7, close: 0.85 },
     Level { chord: 0.6, spread: 0.6, reach: 0.4, close: 0.85 },

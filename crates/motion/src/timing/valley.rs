@@ -88,7 +88,7 @@ const CLOSE: Effort = Effort { tau: 0.004, gap: 2e-3, apart: 0.01, turn: 0.1 };
 
 /// The same where turns are few and it rests at neither end: a raster of long rows takes 0.1 % longer, and a tenth more of it is
 /// planned in a second.
-const ROUGH: Effort = Effort { tau: 0.009, gap: 2e-2, apart: 0.03, turn: 0.15 };
+const ROUGH: Effort = Effort { tau: 0.009, gap: 3e-2, apart: 0.03, turn: 0.15 };
 
 /// Where jerk is limited, a step need not be shorter in time than so much for how far the path turns in it, s, unless that is as far as
 /// [`MOST_TURN`] then.

@@ -31,7 +31,7 @@ const FINE: Fineness = Fineness { stiff: 1.1, split: 0.27, bends: 0.3, longest: 
 
 /// The same where turns are few among many lines, of which there are so many at least: there the speeds are not found once more behind
 /// the first stiff curve, which is a little stiffer instead.
-const FINE_FOR_FEW: Fineness = Fineness { stiff: 1.3, split: 0.5, bends: 0.7, longest: 20.0 };
+const FINE_FOR_FEW: Fineness = Fineness { stiff: 1.3, split: 0.55, bends: 0.7, longest: 20.0 };
 const MANY_LINES: usize = 128;
 
 /// So many parts are enough.
