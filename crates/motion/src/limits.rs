@@ -317,11 +317,13 @@ impl Load {
     }
 }
 
-/// The largest of four, and the least.
+/// The largest of four.
 #[inline]
 fn most_of([a, b, c, d]: Four) -> f32 {
     larger(larger(a, c), larger(b, d))
 }
+
+/// The least of four.
 #[inline]
 fn least_of([a, b, c, d]: Four) -> f32 {
     smaller(smaller(a, c), smaller(b, d))
