@@ -24,8 +24,16 @@ pub struct Move {
 pub(crate) struct Cut {
     pub tag: u64,
     pub to: Position,
+    pub asked: Asked,
+}
+
+/// What is asked of a cut besides where it goes.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(crate) struct Asked {
+    /// mm/s.
     pub feed: f64,
     pub path: PathMode,
+    /// Speed of the spindle that the feed was worked out with, r/min; 0 where it does not follow it.
     pub rpm: f64,
 }
 
@@ -224,7 +232,7 @@ impl Move {
     #[inline]
     pub(crate) fn cut(&self) -> Option<Cut> {
         let Kind::Line { feed, path } = self.kind else { return None };
-        Some(Cut { tag: self.tag, to: self.to, feed, path, rpm: self.rpm })
+        Some(Cut { tag: self.tag, to: self.to, asked: Asked { feed, path, rpm: self.rpm } })
     }
 
     /// Whether it is an arc, which may end where it begins.

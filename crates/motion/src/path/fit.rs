@@ -169,6 +169,8 @@ pub(crate) struct Fit<const N: usize> {
     /// By how much they are moved, and [`BELOW`] that are not.
     pub moved: Vec<[f64; N]>,
     pub is_free: Vec<bool>,
+    /// Value, first and second derivative at the knots of what was found.
+    pub at_knots: Vec<[[f64; N]; 3]>,
     looks: Vec<Look<N>>,
     strips: Vec<Strip<N>>,
     /// What each span adds to the rows of its control points at first.
@@ -197,6 +199,7 @@ impl<const N: usize> Fit<N> {
             controls: Vec::with_capacity(controls),
             moved: Vec::with_capacity(controls + BELOW),
             is_free: Vec::with_capacity(controls),
+            at_knots: Vec::with_capacity(controls),
             looks: Vec::with_capacity(looks),
             strips: Vec::with_capacity(controls),
             own: Vec::with_capacity(controls),

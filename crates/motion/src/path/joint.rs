@@ -23,7 +23,7 @@
 //!   easing would cost time, between lines where that is quicker.
 
 use crate::limits::{Class, Drive, Inverse, Inverses, MAX_FEED_OVERRIDE, MAX_SPINDLE_OVERRIDE, Rates, peak};
-use crate::moves::{Cut, Kind, Move};
+use crate::moves::{Asked, Cut, Kind, Move};
 use crate::path::corner::{Corner, Far, Lines, Side, norm, valley_loss};
 use crate::path::piece::Piece;
 use crate::path::shape::moves_others;
@@ -131,14 +131,6 @@ pub(crate) struct Member {
     pub inner: Option<InnerCorners>,
     /// What was asked for, where that has been looked at and is smoothed with what asks for the same.
     asked: Option<Asked>,
-}
-
-/// What is asked of a cut besides where it goes.
-#[derive(Clone, Copy, PartialEq, Debug)]
-struct Asked {
-    feed: f64,
-    path: PathMode,
-    rpm: f64,
 }
 
 /// How a move meets the one before it.
@@ -274,10 +266,10 @@ impl Member {
     /// short lines go this way. `s` is the length of the path up to there; the length of the line, or `None`.
     #[inline]
     pub fn run_on(&mut self, m: &Cut, rules: &JointRules, s: f64) -> Option<f64> {
-        let (&Cut { feed, path, rpm, .. }, Piece::Line(line)) = (m, &mut self.piece) else { return None };
+        let Piece::Line(line) = &mut self.piece else { return None };
+        let Asked { feed, path, rpm } = m.asked;
         let tolerance = self.tolerance?;
-        let asked = Asked { feed, path, rpm };
-        let is_asked = self.asked == Some(asked);
+        let is_asked = self.asked == Some(m.asked);
         if !is_asked {
             let is_other = rules.corner.is_some()
                 || matches!(path, PathMode::InnerCorners(_))
@@ -301,7 +293,7 @@ impl Member {
         if !is_asked {
             let [lowest, highest] = rules.feeds_of(self.class, rpm);
             (self.feed, self.most) = (feed.max(lowest), highest);
-            (self.tolerance, self.inner, self.asked) = (rules.tolerance_of(path), None, Some(asked));
+            (self.tolerance, self.inner, self.asked) = (rules.tolerance_of(path), None, Some(m.asked));
             self.within_block = matches!(path, PathMode::WithinBlock(_));
         }
         Some(len)

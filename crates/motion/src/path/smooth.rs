@@ -157,8 +157,6 @@ type AtKnot<const N: usize> = [[f64; N]; 3];
 pub(crate) struct Smoother {
     pub class: Class,
     points: Vec<Point>,
-    /// Their lengths once more: these are gone through to find a point.
-    lengths: Vec<f64>,
     /// So many points in front stay: the first line, and what was smoothed already.
     standing: usize,
     /// Places of the points that are kept.
@@ -171,9 +169,6 @@ pub(crate) struct Smoother {
     controls: Vec<Vector>,
     /// Whether the span that begins at knot `k` of the run lies on more than one line.
     is_dense: Vec<bool>,
-    /// What is at the knots: of X, Y, Z, and of all axes where others move.
-    at: Vec<AtKnot<3>>,
-    at_all: Vec<AtKnot<AXES>>,
     /// Spans that do not keep the tolerance.
     strays: Vec<Stray>,
     /// Whether the curve is brought close in few rounds.
@@ -212,7 +207,6 @@ impl Smoother {
         Smoother {
             class: Class::Cut,
             points: Vec::with_capacity(POINTS + SPARE),
-            lengths: Vec::with_capacity(POINTS + SPARE),
             standing: 0,
             kept: Vec::with_capacity(POINTS + SPARE),
             chords: Vec::with_capacity(POINTS + SPARE),
@@ -220,8 +214,6 @@ impl Smoother {
             knots: Vec::with_capacity(KNOTS),
             controls: Vec::with_capacity(KNOTS),
             is_dense: Vec::with_capacity(KNOTS),
-            at: Vec::with_capacity(KNOTS),
-            at_all: Vec::with_capacity(KNOTS),
             strays: Vec::with_capacity(KNOTS),
             is_rough: false,
             fit: Fit::new(KNOTS, LOOKS),
@@ -244,7 +236,6 @@ impl Smoother {
 
     pub fn clear(&mut self) {
         self.points.clear();
-        self.lengths.clear();
         self.goes_on = false;
         self.count = 3;
     }
@@ -292,7 +283,6 @@ impl Smoother {
         let point =
             Point { p, u, feed: 0.0, most: f64::INFINITY, tolerance, programmed: tolerance, level: 0 };
         self.points.push(point);
-        self.lengths.push(u);
         self.leave_out()
     }
 
@@ -326,7 +316,25 @@ impl Smoother {
         }
         let tolerance = self.points.iter().map(|point| point.tolerance).fold(f64::INFINITY, f64::min);
         self.soft = self.inverse.with_some_jerk(tolerance);
-        let (mut at, mut at_all) = (std::mem::take(&mut self.at), std::mem::take(&mut self.at_all));
+        if self.count == 3 {
+            let mut fit = std::mem::take(&mut self.fit);
+            self.smooth(&mut fit, [from, to], open, out);
+            self.fit = fit;
+        } else {
+            let mut fit = std::mem::take(&mut self.fit_all);
+            self.smooth(&mut fit, [from, to], open, out);
+            self.fit_all = fit;
+        }
+    }
+
+    /// The same with a fit of the axes that move.
+    fn smooth<const N: usize>(
+        &mut self,
+        fit: &mut Fit<N>,
+        [from, to]: [f64; 2],
+        open: bool,
+        out: impl FnMut(Span),
+    ) {
         for round in 0..=ROUNDS {
             if round == ROUNDS {
                 // The last level keeps the tolerance by construction.
@@ -334,30 +342,21 @@ impl Smoother {
                     point.level = LEVELS.len() as u8 - 1;
                 }
             }
-            self.thin_out();
+            self.thin_out::<N>();
             self.place_knots(from, to, open);
-            self.place_controls(open);
+            self.place_on_chords();
+            self.relax(fit, open);
             let last = self.last(open);
             // What is kept back rests on the knots that stand, so these must be good too.
             let spans = self.knots.len().saturating_sub(5);
             let last = (last + KEPT_SPANS).min(spans);
-            let is_good = if self.count == 3 {
-                self.keeps_close(&mut at, last, open)
-            } else {
-                self.keeps_close(&mut at_all, last, open)
-            };
-            if is_good {
+            if self.keeps_close(fit, last, open) {
                 break;
             }
             self.raise_levels(round);
         }
         let last = self.last(open);
-        if self.count == 3 {
-            self.hand_out(&at, last, out);
-        } else {
-            self.hand_out(&at_all, last, out);
-        }
-        (self.at, self.at_all) = (at, at_all);
+        self.hand_out(&fit.at_knots, last, out);
         if open {
             self.keep_from(last);
         } else {
@@ -367,18 +366,18 @@ impl Smoother {
 
     /// Whether the spans up to `last` keep the tolerance, be it that the curve is brought closer where they do not: that takes far less
     /// time than to smooth all of the run again.
-    fn keeps_close<const N: usize>(&mut self, at: &mut Vec<AtKnot<N>>, last: usize, open: bool) -> bool {
+    fn keeps_close<const N: usize>(&mut self, fit: &mut Fit<N>, last: usize, open: bool) -> bool {
         let mut before = usize::MAX;
         for _ in 0..CLOSER {
-            if self.check(at, last) {
+            if self.check(fit, last) {
                 return true;
             }
-            if self.strays.len() > before || !self.come_closer(open) {
+            if self.strays.len() > before || !self.come_closer(fit, open) {
                 return false;
             }
             before = self.strays.len();
         }
-        self.check(at, last)
+        self.check(fit, last)
     }
 
     // Knot `k` of the run is `knots[k + 2]`, control point `k` is `controls[k + 1]`; spans are 0, 1, …
@@ -399,9 +398,9 @@ impl Smoother {
 
     /// The line that length `u` lies on, searched from line `from` on.
     fn segment(&self, u: f64, from: usize) -> usize {
-        let inner = self.lengths.len().saturating_sub(1);
-        let behind = self.lengths.get(from + 1..inner).unwrap_or(&[]);
-        from + behind.iter().take_while(|behind| **behind <= u).count()
+        let inner = self.points.len().saturating_sub(1);
+        let behind = self.points.get(from + 1..inner).unwrap_or(&[]);
+        from + behind.iter().take_while(|point| point.u <= u).count()
     }
 
     /// The point that chord `i` begins with; none where a run goes on from a knot inside a line.

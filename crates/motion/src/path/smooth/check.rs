@@ -1,6 +1,7 @@
 //! The true distance between the spline and the lines.
 
 use super::{AtKnot, LEVELS, Smoother, TOLERANCE_SHARE, Vector, norm};
+use crate::path::fit::Fit;
 use crate::quick::{larger, smaller};
 
 /// In how many parts a span is looked at.
@@ -17,13 +18,13 @@ pub(super) struct Stray {
 }
 
 impl Smoother {
-    /// Whether the spans up to `last` keep the tolerance; those that do not are noted, and what is `at` the knots.
-    pub(super) fn check<const N: usize>(&mut self, at: &mut Vec<AtKnot<N>>, last: usize) -> bool {
-        at.clear();
-        at.extend((0..=last).map(|k| self.at_knot(k)));
+    /// Whether the spans up to `last` keep the tolerance; those that do not are noted, and what is at the knots.
+    pub(super) fn check<const N: usize>(&mut self, fit: &mut Fit<N>, last: usize) -> bool {
+        fit.at_knots.clear();
+        fit.at_knots.extend((0..=last).map(|k| self.at_knot(k)));
         self.strays.clear();
         let mut first = 0;
-        for (span, ends) in at.windows(2).enumerate() {
+        for (span, ends) in fit.at_knots.windows(2).enumerate() {
             first = self.segment(self.t(span), first);
             let stray = self.goes_astray(span, first, &ends[0], &ends[1]);
             self.strays.extend(stray);

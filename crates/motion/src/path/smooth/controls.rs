@@ -45,41 +45,14 @@ const PARTS_AT_END: usize = 3;
 const STRAIGHT: f64 = 0.5;
 
 impl Smoother {
-    pub(super) fn place_controls(&mut self, open: bool) {
-        self.place_on_chords();
-        if self.count == 3 {
-            let mut fit = std::mem::take(&mut self.fit);
-            self.relax(&mut fit, open);
-            self.fit = fit;
-        } else {
-            let mut fit = std::mem::take(&mut self.fit_all);
-            self.relax(&mut fit, open);
-            self.fit_all = fit;
-        }
-    }
-
     /// Brings the curve closer where a span does not keep the tolerance. `false` where it can be brought no closer.
-    pub(super) fn come_closer(&mut self, open: bool) -> bool {
-        if self.count == 3 {
-            let mut fit = std::mem::take(&mut self.fit);
-            let goes = self.close_in(&mut fit, open);
-            self.fit = fit;
-            goes
-        } else {
-            let mut fit = std::mem::take(&mut self.fit_all);
-            let goes = self.close_in(&mut fit, open);
-            self.fit_all = fit;
-            goes
-        }
-    }
-
-    fn close_in<const N: usize>(&mut self, fit: &mut Fit<N>, open: bool) -> bool {
+    pub(super) fn come_closer<const N: usize>(&mut self, fit: &mut Fit<N>, open: bool) -> bool {
         let mut is_closer = false;
         for &Stray { span, points: [first, _], u, tolerance } in &self.strays {
             let line = self.segment(u, first);
             let weight = (self.t(span + 1) - self.t(span)) / LOOKS as f64;
             let (basis, p) = (self.place(span).weights(u), self.on_line(line, u));
-            let limit = smaller(tolerance, self.points[line].tolerance) * self.points[line].level().close;
+            let limit = tolerance * self.points[line].level().close;
             is_closer |= fit.look_closer(span, basis, weight, p, limit);
         }
         if is_closer {
@@ -105,7 +78,7 @@ impl Smoother {
     }
 
     /// Control points on the chords.
-    fn place_on_chords(&mut self) {
+    pub(super) fn place_on_chords(&mut self) {
         let n = self.count;
         let standing = if self.goes_on { STANDING_CONTROLS } else { 0 };
         self.controls.truncate(standing);
@@ -130,7 +103,7 @@ impl Smoother {
     /// Moves the control points of dense stretches to where `∫|S − P|² + ∫ℓ⁶·|S‴|²` is least ([`crate::path::fit`]). The
     /// integral over the distance from the programmed lines is taken at some places of every span; the third derivative
     /// is constant on a span.
-    fn relax<const N: usize>(&mut self, fit: &mut Fit<N>, open: bool) {
+    pub(super) fn relax<const N: usize>(&mut self, fit: &mut Fit<N>, open: bool) {
         let turns = self.turns(open);
         let unknown = f64::INFINITY;
         fit.pace.ends = [
@@ -323,7 +296,7 @@ impl Smoother {
                 fit.skip(Stretch::free(len, self.points[line].pace()));
                 continue;
             }
-            let lines = self.lengths[line + 1..].iter().take_while(|u| **u < end).count();
+            let lines = self.points[line + 1..].iter().take_while(|point| point.u < end).count();
             let last = (line + lines).min(self.points.len() - 2);
             let near = |k: usize| self.t(k + 1) - self.t(k);
             let least = smaller(smaller(near(k.saturating_sub(1)), len), near((k + 1).min(spans - 1)));

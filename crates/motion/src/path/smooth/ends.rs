@@ -68,7 +68,6 @@ impl Smoother {
         self.goes_on = true;
         let first = self.segment(begin, 0).saturating_sub(1);
         self.points.drain(..first);
-        self.lengths.drain(..first);
         self.standing = self.points.len();
     }
 }

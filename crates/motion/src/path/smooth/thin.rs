@@ -3,7 +3,6 @@
 
 use super::{Point, Smoother, front};
 use crate::quick::smaller;
-use ferrocut_geometry::AXES;
 
 /// Points on lines that are no longer than this share of the tolerance together are left out as they come, where the lines
 /// stay within so much of it of their chord: what comes in steps far below the tolerance fills no look-ahead.
@@ -57,12 +56,11 @@ impl Smoother {
         a.tolerance = a.programmed - off;
         let u = a.u;
         self.points.remove(at);
-        self.lengths.remove(at);
         Some(u)
     }
 
     /// Which points are kept.
-    pub(super) fn thin_out(&mut self) {
+    pub(super) fn thin_out<const N: usize>(&mut self) {
         self.kept.clear();
         self.chords.clear();
         self.is_thinned.clear();
@@ -76,11 +74,7 @@ impl Smoother {
             self.chords.push((self.points[0].u, self.points[0].p.0));
             0
         };
-        if self.count == 3 {
-            self.thin_out_from::<3>(anchor);
-        } else {
-            self.thin_out_from::<AXES>(anchor);
-        }
+        self.thin_out_from::<N>(anchor);
     }
 
     /// The same from point `anchor` on.
