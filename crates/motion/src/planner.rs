@@ -210,9 +210,12 @@ impl Planner {
         s.is_some()
     }
 
-    /// What was passed up to here is not run back over: something else was done in this place.
+    /// What was passed up to here is not run back over: something else was done in this place. Where every move is run to its end
+    /// lengths begin at 0 anew, so that a path is the same to the last bit whatever was run before it, and however much.
     pub fn forget_passed(&mut self) {
-        if !self.tape.is_back() {
+        if self.is_empty() && self.is_still() {
+            self.forget();
+        } else if !self.tape.is_back() {
             self.queue.forget_passed();
             self.tape.clear();
         }

@@ -1,6 +1,8 @@
 //! A program from cycle start to its end: states, times to a period, path and limits.
 
+use crate::common::panel::Mill;
 use crate::common::{ACTIVITIES, Hand, cnc, cnc_with, ended, machine, run, run_with};
+use ferrocut_controller::api::Command;
 use ferrocut_controller::{Activity, Cnc, Drives, Event, State, Tick};
 use ferrocut_geometry::{Axis, Position};
 
@@ -263,6 +265,39 @@ fn the_same_program_gives_the_same_ticks() {
     let (b, second) = ended(&machine, MIXED);
     assert_eq!(first.ticks, second.ticks);
     assert_eq!((a.report(), first.events), (b.report(), second.events));
+}
+
+/// Round a square with round corners, from the zero point and back to it. Sums of lengths that went on from what was run before
+/// would be rounded in other digits, and curves fitted to the last of them be others in the seventh.
+#[test]
+fn a_job_is_the_same_to_the_last_bit_whatever_was_run_before_it() {
+    let round = "G1 X-70\nG3 X-80 Y-20 J-10\nG1 Y-70\nG3 X-70 Y-80 I10\nG1 X-20\nG3 X-10 Y-70 J10\n\
+                 G1 Y-20\nG3 X-20 Y-10 I-10\n";
+    let job = format!("G90 G17 G1 X-20 Y-10 F2400\n{round}{round}G4 P30\nG1 X0 Y0 Z-3\nZ0\nM30\n");
+    let mut mill = Mill::power_on();
+    mill.home();
+    mill.press("KEY_AUTO");
+    mill.say(Command::Store { program: "O0001".into(), text: job });
+    mill.say(Command::Select { program: "O0001".into() });
+    let mut runs = Vec::new();
+    for before in ["", "G1 X-0.1 F1000\nX0", "G1 X-300.7 Y-200 F4000\nX0 Y0"] {
+        if !before.is_empty() {
+            mill.mdi(before);
+        }
+        mill.press("KEY_AUTO");
+        mill.key("KEY_START", true);
+        mill.say(Command::Key { key: "KEY_START".into(), down: false });
+        let mut places: Vec<_> = (0..25_000).map(|_| mill.control.tick().position).collect();
+        let first = places.iter().position(|place| *place != places[0]);
+        places.drain(..first.unwrap_or_else(|| panic!("nothing moves: {:?}", mill.events)));
+        mill.until("done", |status| status.activity == ferrocut_controller::api::Activity::Idle);
+        assert_eq!(places.last(), places.iter().rev().nth(1000), "at rest");
+        runs.push(places);
+    }
+    for (run, places) in runs.iter().enumerate().skip(1) {
+        let other = places.iter().zip(&runs[0]).position(|(one, other)| one != other);
+        assert_eq!(other, None, "the first place of run {run} that is another");
+    }
 }
 
 #[test]
