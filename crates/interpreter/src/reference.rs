@@ -48,13 +48,7 @@ impl Interpreter {
         }
         self.location.programmed = through;
         self.flow.begin_section();
-        let points = &self.memory.reference_points;
-        let reference = points.get(number.saturating_sub(1)).copied().unwrap_or_default();
-        let searched = self.take_unreferenced(axes);
-        let mut to = self.location.machine;
-        for axis in axes.iter().filter(|axis| !searched.contains(*axis)) {
-            to[axis] = reference[axis];
-        }
+        let (to, searched) = self.at_reference(axes, number);
         self.rapid_uncompensated(to)?;
         // G28 ends tool length compensation by itself (4.3.1).
         let ends_length = !self.rules.coordinates.reference_keeps_length;
@@ -68,6 +62,18 @@ impl Interpreter {
         }
         self.location.take_machine();
         self.home(axes, searched)
+    }
+
+    /// Where axes are at reference point `number`, but for those that the machine has to search first, and which these are.
+    fn at_reference(&mut self, axes: AxisSet, number: usize) -> (Position, AxisSet) {
+        let reference =
+            self.memory.reference_points.get(number.saturating_sub(1)).copied().unwrap_or_default();
+        let searched = self.take_unreferenced(axes);
+        let mut to = self.location.machine;
+        for axis in axes.iter().filter(|axis| !searched.contains(*axis)) {
+            to[axis] = reference[axis];
+        }
+        (to, searched)
     }
 
     /// Axes go to their reference points; those that the machine has to search are at the first one behind it, wherever they
@@ -92,12 +98,7 @@ impl Interpreter {
             return Err(self.alarm(Fault::ReferenceWithoutAxis, self.words.block_span()));
         }
         self.cancel_cycle();
-        let reference = self.memory.reference_points.first().copied().unwrap_or_default();
-        let searched = self.take_unreferenced(axes);
-        let mut to = self.location.machine;
-        for axis in axes.iter().filter(|axis| !searched.contains(*axis)) {
-            to[axis] = reference[axis];
-        }
+        let (to, searched) = self.at_reference(axes, 1);
         self.output.suspend_cutter();
         self.rapid_machine(to)?;
         self.location.take_machine();

@@ -86,6 +86,7 @@ fn is_of_one_of(change: &Change, others: &[Change]) -> bool {
 }
 
 /// What was kept.
+#[derive(Default)]
 pub(super) struct Found {
     pub counters: Count,
     pub position: Option<LastPosition>,

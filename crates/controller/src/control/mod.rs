@@ -52,7 +52,7 @@ use ferrocut_memory::Store;
 use ferrocut_plc::{Address, Area, Pace, Plc};
 use ferrocut_program::{ProgramMemory, Span, Text};
 use ferrocut_toolpath::{Op, SpindleState};
-use keeping::Keeping;
+use keeping::{Found, Keeping};
 pub use library::{Library, id_of};
 use modes::{Change, Standing, Start};
 use parameter_switch::ParameterSwitch;
@@ -199,29 +199,15 @@ impl Control {
         };
         let own_ladder = parts.ladder.as_ref().map(ferrocut_plc::Program::text).unwrap_or_default();
         let mut plc = parts.ladder.map(|ladder| Plc::new(ladder, pace(machine)));
-        let mut ladder_told = None;
-        let mut counters = status::Count::default();
-        let mut start = Position::ZERO;
-        let mut referenced = None;
-        let (mut work_system, mut own_zero) = (None, None);
-        let mut interrupted = None;
-        let mut pitch = machine_data::Pitch::new();
-        let keeping = match parts.store {
+        let (keeping, found) = match parts.store {
             Some(store) => {
                 let (keeping, found) = Keeping::open(store, &mut memory, plc.as_mut())?;
-                counters = found.counters;
-                interrupted = found.interrupted;
-                pitch = found.pitch;
-                ladder_told = found.ladder;
-                if let Some(last) = found.position {
-                    start = last.position;
-                    referenced = Some(last.referenced);
-                    (work_system, own_zero) = (last.work_system, last.own_zero);
-                }
-                Some(keeping)
+                (Some(keeping), found)
             }
-            None => None,
+            None => (None, Found::default()),
         };
+        let (last, pitch) = (found.position, found.pitch);
+        let start = last.as_ref().map_or(Position::ZERO, |last| last.position);
         let own_pitch = machine_data::points_of(machine);
         let machine = &machine_data::with_pitch(machine, &pitch);
         let text = Text::from_bytes(b"%".to_vec()).map_err(|_| alarm(Fault::FileNotText))?;
@@ -238,15 +224,16 @@ impl Control {
             ..Options::default()
         };
         let mut interpreter = Interpreter::new(dialect, programs, memory, options);
-        if let Some(system) = work_system {
+        if let Some(system) = last.as_ref().and_then(|last| last.work_system) {
             interpreter.take_up_work_system(system);
         }
-        if let Some(zero) = own_zero {
+        if let Some(zero) = last.as_ref().and_then(|last| last.own_zero) {
             interpreter.take_up_own_zero(zero);
         }
         let built_with = interpreter.memory().parameters.clone();
         let all = delivered.parameters.table().iter().map(|row| row.key.clone());
         let may_be_left = dialect.left_to_file(machine, &delivered.parameters, all);
+        let referenced = last.map(|last| last.referenced);
         let drives = match parts.drives {
             Some(drives) => drives,
             None => machine::drives(machine, &interpreter, referenced.unwrap_or(AxisSet::EMPTY))?,
@@ -325,9 +312,9 @@ impl Control {
             shown: status::Shown::default(),
             cutting_before: 0.0,
             ladder_names: ladder_names::LadderNames::default(),
-            counters,
+            counters: found.counters,
             sessions: BTreeMap::new(),
-            taking_up: taking_up::TakingUp::of(interrupted),
+            taking_up: taking_up::TakingUp::of(found.interrupted),
             capture: None,
             measuring: measuring::Measuring::default(),
             pitch,
@@ -337,7 +324,7 @@ impl Control {
             is_in_period: false,
             events: VecDeque::with_capacity(MOST_EVENTS),
         };
-        if let Some(alarm) = ladder_told {
+        if let Some(alarm) = found.ladder {
             control.log_alarm(&alarm);
         }
         // 11#6 (2.6, 5).
