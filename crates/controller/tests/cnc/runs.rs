@@ -2,7 +2,7 @@
 
 use crate::common::panel::Mill;
 use crate::common::{ACTIVITIES, Hand, cnc, cnc_with, ended, machine, run, run_with};
-use ferrocut_controller::api::Command;
+use ferrocut_controller::api::{self, Command};
 use ferrocut_controller::{Activity, Cnc, Drives, Event, State, Tick};
 use ferrocut_geometry::{Axis, Position};
 
@@ -290,7 +290,7 @@ fn a_job_is_the_same_to_the_last_bit_whatever_was_run_before_it() {
         let mut places: Vec<_> = (0..25_000).map(|_| mill.control.tick().position).collect();
         let first = places.iter().position(|place| *place != places[0]);
         places.drain(..first.unwrap_or_else(|| panic!("nothing moves: {:?}", mill.events)));
-        mill.until("done", |status| status.activity == ferrocut_controller::api::Activity::Idle);
+        mill.until("done", |status| status.activity == api::Activity::Idle);
         assert_eq!(places.last(), places.iter().rev().nth(1000), "at rest");
         runs.push(places);
     }

@@ -65,7 +65,7 @@ impl Smoother {
         self.chords.clear();
         self.is_thinned.clear();
         self.is_thinned.push(false);
-        let anchor = if self.goes_on {
+        let mut anchor = if self.goes_on {
             // From the last knot that stands, on the chord that it stood on.
             self.chords.push(self.anchor);
             self.segment(self.anchor.0, 0)
@@ -74,11 +74,6 @@ impl Smoother {
             self.chords.push((self.points[0].u, self.points[0].p.0));
             0
         };
-        self.thin_out_from::<N>(anchor);
-    }
-
-    /// The same from point `anchor` on.
-    fn thin_out_from<const N: usize>(&mut self, mut anchor: usize) {
         let last = self.points.len() - 1;
         let (mut from_u, mut from_p) = (self.chords[0].0, front::<N>(&self.chords[0].1));
         while anchor < last {
